@@ -1,0 +1,197 @@
+"""What every figure needs: the cases of a campaign folder, their means, and the look of a plot.
+
+Everything is in units of the half height h, the bulk velocity U_b and density 1. Fits (d, k + Dk, DU+) are read
+from results.db and never repeated here: analysis/log_law.cpp has the only one.
+"""
+
+import argparse
+import csv
+import json
+import math
+import pathlib
+import sqlite3
+import sys
+
+import h5py
+import matplotlib
+import numpy as np
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (the backend has to be chosen first)
+
+# The paper's colours, for decreasing G; further ones where a sweep has more values.
+COLOURS = ["blue", "magenta", "red", "green", "darkorange", "saddlebrown", "teal", "grey"]
+PAPER_GRID = "1296x432+108x648"
+REFERENCE = pathlib.Path(__file__).parent / "data"
+LABEL_G = r"$G/(\rho U_b^2)$"
+
+
+def _text(attribute):
+    """Text attributes of fixed length come as bytes from h5py."""
+    return attribute.decode() if isinstance(attribute, bytes) else attribute
+
+
+class Case:
+    """One run directory with statistics. `mean(name)` is the time mean over all its blocks."""
+
+    def __init__(self, directory, results):
+        self.directory = directory
+        definition = json.loads((directory / "case.json").read_text())
+        physics = definition["physics"]
+        self.label = definition.get("label") or directory.name
+        self.reynolds = physics.get("reynolds", 2800.0)
+        self.elastic = physics["flow"] == "elastic_wall"
+        solid = physics.get("solid", {})
+        self.G = solid.get("G", math.inf)
+        self.ratio = solid.get("viscosity_ratio", 1.0)
+        grid = physics["grid"]
+        layer = f"+{grid['ny_solid']}" if self.elastic else ""
+        self.grid = f"{grid['nx']}x{grid['ny_fluid']}{layer}x{grid['nz']}"
+        self.results = results.get(directory.name, {})
+        self.colour, self.style = "black", "-"
+        self._read_statistics()
+
+    def _read_statistics(self):
+        with h5py.File(self.directory / "statistics.h5") as file:
+            self.y = {"center": file["grid/y_center"][:], "face": file["grid/y_face"][:]}
+            self.interface_y = float(file.attrs["interface_y"])
+            self.start, self.end = file["blocks/start"][:], file["blocks/end"][:]
+            self.weight = file["blocks/weight"][:]
+            self.profiles = {
+                name: (_text(data.attrs["location"]), data[:]) for name, data in file["profiles"].items()
+            }
+            self.series = {name: data[:] for name, data in file["series"].items()}
+        if self.weight.sum() <= 0:
+            raise ValueError("no samples yet")
+
+    def mean(self, name):
+        """y and time mean of a profile; mean of a series. KeyError when the statistics do not hold it."""
+        if name in self.series:
+            return float(np.average(self.series[name], weights=self.weight))
+        location, values = self.profiles[name]
+        return self.y[location], np.average(values, axis=0, weights=self.weight)
+
+    def has(self, *names):
+        return all(name in self.profiles for name in names)
+
+    def rms(self, name):
+        """y and rms of a fluctuation: u, v or w."""
+        y, mean = self.mean(name)
+        square = self.mean(2 * name)[1]
+        return y, np.sqrt(np.maximum(square - mean**2, 0.0))
+
+    @property
+    def u_tau_w(self):
+        return math.sqrt(self.mean("wall_shear_bottom"))
+
+    @property
+    def u_tau(self):
+        square = self.interface_y * self.mean("driving_gradient") - self.mean("wall_shear_bottom")
+        return math.sqrt(square) if square > 0 else math.nan
+
+    @property
+    def name(self):
+        if not self.elastic:
+            return "rigid wall"
+        ratio = "" if self.ratio == 1 else rf", $\mu^s/\mu^f={self.ratio:g}$"
+        return f"$G={self.G:g}$" + ratio
+
+    def result(self, quantity):
+        """A measured quantity or its interval, NAME_ci95; NaN when there is none."""
+        value = self.results.get(quantity)
+        return math.nan if value is None else value
+
+
+def _read_results(campaign):
+    """Everything measured, by run directory and name, intervals as NAME_ci95; empty without a store."""
+    store = campaign / "results.db"
+    if not store.exists():
+        return {}
+    with sqlite3.connect(f"{store.resolve().as_uri()}?mode=ro", uri=True) as connection:
+        rows = connection.execute(
+            "SELECT c.directory, q.quantity, q.value, q.ci95 FROM quantities q JOIN cases c USING (case_id)")
+        results = {}
+        for directory, quantity, value, ci95 in rows:
+            of_case = results.setdefault(pathlib.Path(directory).name, {})
+            of_case[quantity], of_case[quantity + "_ci95"] = value, ci95
+        return results
+
+
+def _choose_styles(cases):
+    """Colour by G, largest first; line by viscosity ratio, full for 1."""
+    moduli = sorted({case.G for case in cases if case.elastic}, reverse=True)
+    for case in cases:
+        if not case.elastic:
+            continue
+        case.colour = COLOURS[moduli.index(case.G) % len(COLOURS)]
+        case.style = "-" if case.ratio == 1 else ("--" if case.ratio < 1 else ":")
+
+
+def read_campaign(folder):
+    """All cases with usable statistics, rigid first, then by viscosity ratio and falling G."""
+    campaign = pathlib.Path(folder)
+    if not campaign.is_dir():
+        sys.exit(f"{campaign} is not a folder; give the campaign folder, the one that holds cases/")
+    results = _read_results(campaign)
+    cases = []
+    for statistics in sorted(campaign.glob("cases/*/statistics.h5")):
+        try:
+            cases.append(Case(statistics.parent, results))
+        except (OSError, KeyError, ValueError) as error:
+            print(f"left out {statistics.parent}: {error}", file=sys.stderr)
+    if not cases:
+        sys.exit(f"no case in {campaign / 'cases'} has statistics yet")
+    cases.sort(key=lambda case: (case.elastic, case.ratio != 1, case.ratio, -case.G))
+    _choose_styles(cases)
+    return cases
+
+
+def read_reference(file):
+    """Columns of a reference table in analysis/data by name, with text where it is not a number."""
+    lines = [line for line in (REFERENCE / file).read_text().splitlines() if not line.startswith("#")]
+    rows = list(csv.DictReader(lines))
+
+    def number(text):
+        try:
+            return float(text)
+        except ValueError:
+            return math.nan
+
+    return {name: np.array([number(row[name]) for row in rows]) for name in rows[0]}
+
+
+def arguments(description, add_options=None):
+    """Command line of every figure: the campaign folder and the file to write."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("campaign", help="campaign folder, the one that holds cases/ and results.db")
+    parser.add_argument("-o", "--output", help="file to write; its ending chooses the format (default: PNG)")
+    if add_options:
+        add_options(parser)
+    return parser.parse_args()
+
+
+def caption(cases):
+    """What the averages rest on: grids, windows and numbers of blocks, as they are."""
+
+    def spread(values, form):
+        low, high = form(min(values)), form(max(values))
+        return low if low == high else f"{low}\N{EN DASH}{high}"
+
+    grids = sorted({case.grid for case in cases})
+    starts, ends = [c.start[c.weight > 0][0] for c in cases], [c.end[c.weight > 0][-1] for c in cases]
+    one_decimal = "{:.1f}".format
+    return (
+        f"Grid {', '.join(grids)} (the paper: {PAPER_GRID}). Means from t = {spread(starts, one_decimal)} "
+        f"to {spread(ends, one_decimal)} $h/U_b$, {spread([int((c.weight > 0).sum()) for c in cases], str)} blocks, "
+        f"{spread([c.weight.sum() for c in cases], one_decimal)} $h/U_b$ sampled."
+    )
+
+
+def save(figure, options, script, text):
+    """Write the figure with its caption below, by default next to the campaign's store."""
+    name = pathlib.Path(script).stem.removeprefix("plot_") + ".png"
+    output = pathlib.Path(options.output) if options.output else pathlib.Path(options.campaign) / name
+    figure.text(0.5, -0.01, text, ha="center", va="top", fontsize=8, wrap=True)
+    figure.savefig(output, dpi=150, bbox_inches="tight")
+    plt.close(figure)
+    print(output)

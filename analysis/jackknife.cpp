@@ -1,0 +1,144 @@
+#include "analysis/jackknife.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "analysis/student_t.hpp"
+
+// Delete-a-group jackknife for groups of unequal weight: Busing, Meijer & van der Leeden, Statistics and
+// Computing 9 (1999) 3-8. Group j has the share 1/h_j of the weight; pseudo-value p_j = h_j t - (h_j - 1)
+// t_(j); variance = mean over j of (p_j - mean)^2 / (h_j - 1).
+namespace softwall::analysis {
+namespace {
+
+// Blocks are merged into fewer and fewer batches until those of a quantity are hardly correlated. More than
+// 64 would sharpen Student's t no further.
+constexpr std::array<int, 7> kBatchCounts = {64, 48, 32, 24, 16, 12, kLeastBatches};
+constexpr double kCorrelationAllowed = 0.2;  // stop merging below this lag-1 correlation
+constexpr double kCorrelationRefused = 0.6;  // the window holds too few independent batches to say anything
+constexpr double kCorrelationCaution = 0.3;  // times its standard error 1/sqrt(g), added before inflating
+constexpr double kLeastDegrees = 3.0;
+
+/// Batch of each block (-1: outside the window): neighbours together, of nearly equal weight.
+std::vector<int> assign_batches(const std::vector<double>& weights, int batches) {
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  std::vector<int> batch(weights.size(), -1);
+  double before = 0.0;
+  for (std::size_t b = 0; b < weights.size(); ++b) {
+    if (!(weights[b] > 0.0)) continue;
+    const double middle = (before + 0.5 * weights[b]) / total;
+    batch[b] = std::min(static_cast<int>(middle * batches), batches - 1);
+    before += weights[b];
+  }
+  return batch;
+}
+
+struct Batches {
+  std::vector<double> share;                // h_j
+  std::vector<std::vector<double>> pseudo;  // [number][batch]
+};
+
+Batches pseudo_values(const std::vector<double>& weights, const std::vector<double>& full,
+                      const Estimator& estimate, int count) {
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const std::vector<int> batch_of = assign_batches(weights, count);
+  Batches result;
+  result.pseudo.resize(full.size());
+  for (int j = 0; j < count; ++j) {
+    std::vector<double> kept = weights;
+    double deleted = 0.0;
+    for (std::size_t b = 0; b < kept.size(); ++b) {
+      if (batch_of[b] == j) {
+        deleted += kept[b];
+        kept[b] = 0.0;
+      }
+    }
+    if (!(deleted > 0.0)) continue;  // one long block can leave a batch empty
+    const double h = total / deleted;
+    const std::vector<double> without = estimate(kept);
+    result.share.push_back(h);
+    for (std::size_t q = 0; q < full.size(); ++q) {
+      result.pseudo[q].push_back(h * full[q] - (h - 1.0) * without[q]);
+    }
+  }
+  return result;
+}
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// Lag-1 autocorrelation, corrected to first order for its bias in short samples of a first-order
+/// autoregressive process, E[r] = rho - (1 + 4 rho)/g (Kendall 1954).
+double lag_one(const std::vector<double>& values) {
+  const double mean = mean_of(values), g = static_cast<double>(values.size());
+  double product = 0.0, square = 0.0;
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    square += (values[j] - mean) * (values[j] - mean);
+    if (j > 0) product += (values[j] - mean) * (values[j - 1] - mean);
+  }
+  if (!(square > 0.0)) return 0.0;  // a constant is not correlated with anything
+  return std::min((product / square + 1.0 / g) / (1.0 - 4.0 / g), 0.99);
+}
+
+/// Jackknife interval, widened by what correlation is left as for a first-order autoregressive process:
+/// variance of the mean times (1 + r)/(1 - r), and as many fewer degrees of freedom.
+double half_width(const std::vector<double>& pseudo, const std::vector<double>& share, double correlation) {
+  const double g = static_cast<double>(pseudo.size()), mean = mean_of(pseudo);
+  double variance = 0.0;
+  for (std::size_t j = 0; j < pseudo.size(); ++j) {
+    variance += (pseudo[j] - mean) * (pseudo[j] - mean) / (share[j] - 1.0) / g;
+  }
+  const double r = std::max(correlation + kCorrelationCaution / std::sqrt(g), 0.0);
+  const double inflation = (1.0 + r) / (1.0 - r);
+  const double degrees = std::max(g / inflation - 1.0, kLeastDegrees);
+  return student_t_975(degrees) * std::sqrt(variance * inflation);
+}
+
+bool all_finite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+Interval too_short(int blocks) {
+  return {{},
+          0,
+          "window too short for confidence intervals: " + std::to_string(blocks) + " blocks, " +
+              std::to_string(kLeastBatches) + " needed"};
+}
+
+}  // namespace
+
+std::vector<Interval> jackknife(const std::vector<double>& weights, const Estimator& estimate) {
+  const std::vector<double> full = estimate(weights);
+  const int blocks =
+      static_cast<int>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
+  std::vector<Interval> intervals(full.size());
+  if (blocks < kLeastBatches) return std::vector<Interval>(full.size(), too_short(blocks));
+  std::vector<bool> settled(full.size(), false);
+  int previous = 0;
+  for (const int wanted : kBatchCounts) {
+    const int count = std::min(wanted, blocks);
+    if (count == previous || std::all_of(settled.begin(), settled.end(), [](bool s) { return s; })) continue;
+    previous = count;
+    const Batches batches = pseudo_values(weights, full, estimate, count);
+    for (std::size_t q = 0; q < full.size(); ++q) {
+      if (settled[q]) continue;
+      Interval interval{{}, static_cast<int>(batches.share.size()), ""};
+      if (!all_finite(batches.pseudo[q])) {
+        interval.reason = "not defined when a part of the window is left out";
+      } else if (const double correlation = lag_one(batches.pseudo[q]);
+                 interval.batches < kLeastBatches || correlation > kCorrelationRefused) {
+        interval.reason = "parts of the window still correlated: average for longer";
+      } else {
+        interval.ci95 = half_width(batches.pseudo[q], batches.share, correlation);
+        settled[q] = correlation < kCorrelationAllowed;
+      }
+      intervals[q] = interval;
+    }
+  }
+  return intervals;
+}
+
+}  // namespace softwall::analysis

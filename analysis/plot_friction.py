@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""Friction Reynolds number of both walls against the modulus G, from results.db, beside the paper's table 1."""
+
+import math
+
+from campaign_data import LABEL_G, arguments, caption, plt, read_campaign, read_reference, save
+
+WALLS = ("re_tau", "re_tau_w")  # upper wall: full symbols; bottom wall: open ones
+
+
+def marker_of(case):
+    return "o" if case.ratio == 1 else ("v" if case.ratio < 1 else "^")
+
+
+def plot_paper(axes):
+    """The paper gives two values of G for a row, one in its table and half of that in its text: both are drawn."""
+    paper = read_reference("rosti_brandt_2017_tables.csv")
+    usable = paper["viscosity_ratio"] == 1
+    for G, shade, source in (("G_table", "0.35", "table 1"), ("G_text", "0.65", "text")):
+        axes.plot(paper[G][usable], paper["re_tau"][usable], "x:", color=shade, linewidth=0.7,
+                  label=f"paper, upper wall, G as in its {source}")
+        axes.plot(paper[G][usable], paper["re_tau_w"][usable], "+:", color=shade, linewidth=0.7,
+                  label=f"paper, bottom wall, G as in its {source}")
+
+
+def plot_elastic(axes, case):
+    # Cases of equal G stand side by side.
+    G = case.G * (1.0 if case.ratio == 1 else (0.95 if case.ratio < 1 else 1.05))
+    for quantity in WALLS:
+        value, half_width = case.result(quantity), case.result(quantity + "_ci95")
+        unknown = math.isnan(half_width)
+        axes.errorbar(G, value, None if unknown else half_width, marker=marker_of(case), capsize=3, color=case.colour,
+                      markerfacecolor=case.colour if quantity == "re_tau" else "white", linestyle="none",
+                      alpha=0.4 if unknown else 1.0, label=case.name if quantity == "re_tau" else None)
+
+
+def plot_campaign(axes, cases):
+    for case in cases:
+        if math.isnan(case.result("re_tau")):
+            continue
+        if case.elastic:
+            plot_elastic(axes, case)
+        else:
+            value = case.result("re_tau")
+            axes.axhline(value, color="black", linewidth=0.7, label=f"rigid channel, {value:.1f}")
+
+
+def main():
+    options = arguments(__doc__)
+    cases = read_campaign(options.campaign)
+    if not any(case.results for case in cases):
+        raise SystemExit(f"no results in {options.campaign}/results.db; run `softwall run` there first")
+    figure, axes = plt.subplots(figsize=(9, 5), layout="constrained")
+    plot_paper(axes)
+    plot_campaign(axes, cases)
+    axes.set(xscale="log", xlabel=LABEL_G, ylabel=r"$Re_\tau$, $Re_\tau^w$")
+    axes.set_xticks([0.25, 0.5, 1, 2, 4], ["0.25", "0.5", "1", "2", "4"], minor=False)
+    axes.minorticks_off()
+    axes.legend(fontsize=7, loc="center left", bbox_to_anchor=(1.01, 0.5))
+    save(figure, options, __file__, caption(cases) + "\nFull symbols: upper wall; open: bottom wall. Bars: 95 % confidence; pale symbols: none can be given.")
+
+
+if __name__ == "__main__":
+    main()

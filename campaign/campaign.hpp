@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/case/case.hpp"
+
+/// The words of the manager. Campaign: what is wanted. Observation: what is there.
+namespace softwall::campaign {
+
+/// Where and how cases are run; changes no number computed.
+struct Execution {
+  std::string launcher;                    ///< "local"
+  int ranks = 1;                           ///< MPI ranks of an elastic case
+  int precursor_ranks = 1;                 ///< MPI ranks of a precursor
+  int cores = 0;                           ///< cores to use at once; 0: all of the machine
+  std::optional<double> walltime_seconds;  ///< of one attempt, which then checkpoints and is resumed
+  int max_failures_without_progress = 2;   ///< attempts in a row that add no checkpointed step
+};
+
+/// One point of the sweep, or a precursor.
+struct CampaignCase {
+  Case definition;
+  std::string directory;  ///< "cases/<label>-<first 8 of id>", relative to the campaign's folder
+  bool is_precursor = false;
+  std::string precursor_id;  ///< case whose last checkpoint starts this one; empty: starts by itself
+  int ranks = 1;
+};
+
+struct Campaign {
+  std::string name;
+  std::string description;
+  std::vector<CampaignCase> cases;  ///< precursors first
+  Execution execution;
+  std::string spec_text;  ///< the campaign file as it was read
+};
+
+enum class CaseState {
+  kNew,          ///< nothing has been computed
+  kRunning,      ///< a solver is at work on it
+  kFinished,     ///< the solver said so, and the end time is reached
+  kInterrupted,  ///< stopped in order, or by its machine, before the end: resume
+  kDiverged,     ///< never run again unchanged
+  kFailed        ///< ended by an error: retry, bounded
+};
+
+/// What the files of a run directory say about a case.
+struct Observation {
+  std::string case_id;
+  CaseState state = CaseState::kNew;
+  std::string reason;     ///< why the last attempt ended, for people
+  std::int64_t step = 0;  ///< furthest step that is safe in a checkpoint or summary
+  double time = 0.0;      ///< its time, h/U_b
+  double end_time = 0.0;  ///< asked for, h/U_b
+  bool running = false;
+  std::optional<std::filesystem::path> newest_checkpoint;  ///< newest one that is valid
+  int attempts = 0;
+  int attempts_without_progress = 0;  ///< the last ones in a row that added no step
+  bool retry_allowed = true;          ///< false: the solver said that trying again cannot help (bad case)
+  double seconds_per_step = 0.0;      ///< wall clock, measured; 0: not known
+};
+
+}  // namespace softwall::campaign

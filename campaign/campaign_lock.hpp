@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "solver/case/file_descriptor.hpp"
+
+namespace softwall::campaign {
+
+/// Another runner works on this campaign; the message names its host, process and start.
+struct CampaignOwned : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// One runner per campaign. The operating system's lock on <folder>/campaign.lock decides and dies with its
+/// holder, so nothing is ever unlocked by hand; the record inside is only there to name the holder.
+class CampaignLock {
+ public:
+  /// Throws CampaignOwned when another process holds it, std::runtime_error when the folder cannot be
+  /// written.
+  explicit CampaignLock(const std::filesystem::path& folder);
+
+ private:
+  FileDescriptor file_;
+};
+
+/// "softwall on HOST, process N, started ..." while a runner of this host works on the campaign in folder.
+/// Reads only: it never takes the lock, not even for a moment.
+[[nodiscard]] std::optional<std::string> living_owner(const std::filesystem::path& folder);
+
+}  // namespace softwall::campaign

@@ -1,0 +1,55 @@
+#include "campaign/commands/campaign_folder.hpp"
+
+#include "campaign/expand.hpp"
+#include "campaign/observe.hpp"
+#include "campaign/spec.hpp"
+#include "campaign/store.hpp"
+#include "solver/case/bad_input.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kCampaignFile = "campaign.json";
+
+bool is_folder(const fs::path& path) {
+  std::error_code unreadable;
+  return fs::is_directory(path, unreadable);
+}
+
+fs::path campaign_file(const fs::path& path) {
+  if (!is_folder(path)) return path;
+  std::error_code unreadable;
+  if (!fs::exists(path / kCampaignFile, unreadable)) {
+    throw BadInput(path.string(),
+                   {{"", "a folder without a campaign.json", "a campaign file, or its folder"}});
+  }
+  return path / kCampaignFile;
+}
+
+fs::path folder_of(const fs::path& path) {
+  const fs::path absolute = fs::absolute(path).lexically_normal();
+  return is_folder(absolute) ? absolute : absolute.parent_path();
+}
+
+}  // namespace
+
+LoadedCampaign load_campaign(const fs::path& path) {
+  const fs::path file = campaign_file(path);
+  LoadedCampaign loaded{expand(read_campaign(file)), folder_of(file)};
+  keep_existing_directories(loaded.campaign, loaded.folder);
+  return loaded;
+}
+
+fs::path folder_with_store(const fs::path& path) {
+  const fs::path folder = folder_of(path);
+  std::error_code unreadable;
+  if (!fs::exists(Store::path_in(folder), unreadable)) {
+    throw BadInput(path.string(), {{"", "no results store there (" + Store::path_in(folder).string() + ")",
+                                    "the folder of a campaign that has been run"}});
+  }
+  return folder;
+}
+
+}  // namespace softwall::campaign

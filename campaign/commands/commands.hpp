@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "campaign/campaign.hpp"
+#include "campaign/commands/exit_status.hpp"
+
+/// The commands of softwall, one file each. Results go to standard output, messages to standard error.
+/// A path is a campaign file or its folder. All throw BadInput for what cannot be used.
+namespace softwall::campaign {
+
+struct RunOptions {
+  double stall_minutes = 30.0;  ///< an attempt without a step for this long is ended and tried again
+};
+[[nodiscard]] ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& options);
+
+[[nodiscard]] ExitStatus show_plan(const std::filesystem::path& path, bool json);
+[[nodiscard]] ExitStatus show_status(const std::filesystem::path& path, bool json);
+/// Again every two seconds, until nothing runs any more.
+[[nodiscard]] ExitStatus watch_status(const std::filesystem::path& path);
+[[nodiscard]] ExitStatus show_paper_tables(const std::filesystem::path& path);
+
+enum class OutputFormat { kText, kCsv, kJson };
+[[nodiscard]] ExitStatus show_query(const std::filesystem::path& path, const std::string& sql,
+                                    OutputFormat format);
+/// To standard output where no file is named.
+[[nodiscard]] ExitStatus export_campaign(const std::filesystem::path& path, OutputFormat format,
+                                         const std::optional<std::filesystem::path>& file);
+
+/// Checkpoints, summaries and statistics of all cases, or of one (its label or the beginning of its id), read
+/// in full. Changes nothing.
+[[nodiscard]] ExitStatus verify_campaign(const std::filesystem::path& path,
+                                         const std::optional<std::string>& chosen);
+[[nodiscard]] ExitStatus rebuild_store(const std::filesystem::path& path);
+
+}  // namespace softwall::campaign

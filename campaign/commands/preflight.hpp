@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+
+#include "campaign/campaign.hpp"
+#include "campaign/process_launcher.hpp"
+
+/// What must be right before anything is changed. Each failure throws BadInput with one clear message.
+namespace softwall::campaign {
+
+/// softwall-dns: $SOFTWALL_DNS, or beside softwall itself; mpirun: on the PATH.
+[[nodiscard]] ProcessLauncher::Programs find_programs();
+
+/// A file can be made in the campaign's folder.
+void require_writable(const std::filesystem::path& folder);
+
+/// The checkpoints that unfinished cases will write fit on the disk.
+void require_disk_space(const Campaign& campaign, const std::filesystem::path& folder);
+
+}  // namespace softwall::campaign

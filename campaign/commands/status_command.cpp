@@ -1,0 +1,144 @@
+#include <unistd.h>
+
+#include <chrono>
+#include <iostream>
+#include <map>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "campaign/campaign_lock.hpp"
+#include "campaign/clock.hpp"
+#include "campaign/commands/campaign_folder.hpp"
+#include "campaign/commands/commands.hpp"
+#include "campaign/eta.hpp"
+#include "campaign/import_results.hpp"
+#include "campaign/observe.hpp"
+#include "campaign/result_table.hpp"
+#include "campaign/run_reports.hpp"
+#include "campaign/store.hpp"
+#include "campaign/wording.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+struct Snapshot {
+  std::vector<Observation> observations;
+  std::map<std::string, Status> working;
+  std::optional<std::string> owner;  ///< the softwall that runs the campaign
+  double seconds_left = 0;
+};
+
+Snapshot look(const LoadedCampaign& loaded) {
+  Snapshot now;
+  now.owner = living_owner(loaded.folder);
+  now.observations = observe_all(loaded.campaign, loaded.folder);
+  if (std::filesystem::exists(Store::path_in(loaded.folder))) {
+    const Store store = Store::open(loaded.folder, OpenMode::kReadOnly);
+    for (Observation& seen : now.observations) seen = with_history(seen, store);
+  }
+  for (std::size_t i = 0; i < now.observations.size(); ++i) {
+    if (!now.observations[i].running) continue;
+    const CampaignCase& one = loaded.campaign.cases[i];
+    if (const auto status = read_status(run_files(loaded.folder, one), one.definition.id)) {
+      now.working[one.definition.id] = *status;
+    }
+  }
+  const Execution& execution = loaded.campaign.execution;
+  const int cores =
+      execution.cores > 0 ? execution.cores : static_cast<int>(std::thread::hardware_concurrency());
+  now.seconds_left = remaining_seconds(loaded.campaign, now.observations, now.working, cores);
+  return now;
+}
+
+std::string word_for(CaseState state) {
+  switch (state) {
+    case CaseState::kNew:
+      return "new";
+    case CaseState::kRunning:
+      return "running";
+    case CaseState::kFinished:
+      return "finished";
+    case CaseState::kInterrupted:
+      return "interrupted";
+    case CaseState::kDiverged:
+      return "diverged";
+    case CaseState::kFailed:
+      return "failed";
+  }
+  return "?";
+}
+
+/// Time and step that a case has reached, by its checkpoints or, while it works, by its own report.
+std::pair<double, std::int64_t> reached(const Snapshot& now, const Observation& seen) {
+  const auto status = now.working.find(seen.case_id);
+  if (status == now.working.end()) return {seen.time, seen.step};
+  return {status->second.time, status->second.step};
+}
+
+void print_json(const LoadedCampaign& loaded, const Snapshot& now) {
+  nlohmann::ordered_json cases = nlohmann::json::array();
+  for (std::size_t i = 0; i < now.observations.size(); ++i) {
+    const CampaignCase& one = loaded.campaign.cases[i];
+    const Observation& seen = now.observations[i];
+    const auto [time, step] = reached(now, seen);
+    cases.push_back({{"label", one.definition.label},
+                     {"case_id", one.definition.id},
+                     {"directory", one.directory},
+                     {"state", word_for(seen.state)},
+                     {"reason", seen.reason},
+                     {"time", time},
+                     {"end_time", seen.end_time},
+                     {"step", step},
+                     {"attempts", seen.attempts},
+                     {"seconds_per_step", seen.seconds_per_step}});
+  }
+  const nlohmann::ordered_json status = {
+      {"campaign", loaded.campaign.name},
+      {"runner", now.owner ? nlohmann::json(*now.owner) : nlohmann::json()},
+      {"seconds_left", now.seconds_left},
+      {"cases", cases}};
+  std::cout << status.dump(2) << std::endl;
+}
+
+void print_text(const LoadedCampaign& loaded, const Snapshot& now) {
+  ResultTable table{{"case", "state", "t", "of", "%", "step", "attempts", "remark"}, {}};
+  for (std::size_t i = 0; i < now.observations.size(); ++i) {
+    const Observation& seen = now.observations[i];
+    const auto [time, step] = reached(now, seen);
+    table.rows.push_back({loaded.campaign.cases[i].definition.label, word_for(seen.state), short_number(time),
+                          short_number(seen.end_time), static_cast<std::int64_t>(100 * time / seen.end_time),
+                          step, std::int64_t{seen.attempts},
+                          seen.state == CaseState::kFinished ? std::string() : seen.reason});
+  }
+  write_table(std::cout, table, TableFormat::kText);
+  std::cout << "\n"
+            << describe_progress(loaded.campaign, now.observations, now.working, now.seconds_left) << "\n";
+  if (now.owner) {
+    std::cout << "Run by " << *now.owner << "." << std::endl;
+  } else if (now.seconds_left > 0) {
+    std::cout << "Nobody runs it now. To go on:  softwall resume " << loaded.folder.string() << std::endl;
+  }
+}
+
+}  // namespace
+
+ExitStatus show_status(const std::filesystem::path& path, bool json) {
+  const LoadedCampaign loaded = load_campaign(path);
+  const Snapshot now = look(loaded);
+  json ? print_json(loaded, now) : print_text(loaded, now);
+  return ExitStatus::kDone;
+}
+
+ExitStatus watch_status(const std::filesystem::path& path) {
+  const LoadedCampaign loaded = load_campaign(path);
+  while (true) {
+    const Snapshot now = look(loaded);
+    if (isatty(STDOUT_FILENO) == 1) std::cout << "\033[H\033[2J";
+    print_text(loaded, now);
+    if (!now.owner || !std::cout) return ExitStatus::kDone;
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+  }
+}
+
+}  // namespace softwall::campaign

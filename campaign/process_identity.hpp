@@ -1,0 +1,46 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace softwall::campaign {
+
+/// A process that cannot be mistaken for a later one with the same number: its start time and the boot it
+/// belongs to are part of the name.
+struct ProcessIdentity {
+  std::string host;
+  std::string boot_id;  ///< /proc/sys/kernel/random/boot_id
+  pid_t pid = 0;
+  std::uint64_t start_ticks = 0;  ///< clock ticks from boot to its start, field 22 of /proc/PID/stat
+  bool operator==(const ProcessIdentity&) const = default;
+};
+
+/// The identity of process pid on this host. Throws std::runtime_error when there is no such process.
+[[nodiscard]] ProcessIdentity identify(pid_t pid);
+[[nodiscard]] ProcessIdentity this_process();
+
+/// True when exactly that process still runs here; false for a process of another boot, of another host, for
+/// a later process with the same number, and for one that has ended but was not yet waited for.
+[[nodiscard]] bool is_alive(const ProcessIdentity& process);
+
+/// 0 when there is no such process.
+[[nodiscard]] pid_t parent_of(pid_t pid);
+
+void to_json(nlohmann::json& json, const ProcessIdentity& process);
+void from_json(const nlohmann::json& json, ProcessIdentity& process);
+
+/// Environment variable that mpirun and every rank of an attempt inherit: the absolute path of the run
+/// directory.
+inline constexpr const char* kRunDirectoryVariable = "SOFTWALL_RUN_DIRECTORY";
+
+/// Every live process of this user that works for an attempt in run_directory (mpirun and all ranks), whoever
+/// started it and whether or not its parents still live.
+[[nodiscard]] std::vector<pid_t> processes_of(const std::filesystem::path& run_directory);
+
+}  // namespace softwall::campaign

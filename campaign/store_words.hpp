@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "campaign/store.hpp"
+
+/// The words that the store uses for states and outcomes; schemas/results.sql lists the same.
+namespace softwall::campaign {
+
+[[nodiscard]] std::string_view word_of(CaseState state);
+[[nodiscard]] std::string_view word_of(AttemptOutcome outcome);
+[[nodiscard]] std::optional<CaseState> state_of(std::string_view word);
+
+}  // namespace softwall::campaign

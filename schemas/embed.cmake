@@ -1,0 +1,27 @@
+cmake_minimum_required(VERSION 3.25)
+# cmake -DOUTPUT=header.hpp -DSOURCES="a.schema.json;results.sql" -P embed.cmake
+# Writes every source as one string constant: case.schema.json becomes kCaseSchema, results.sql kResultsSql.
+
+function(constant_name file result)
+  get_filename_component(name ${file} NAME)
+  string(REPLACE ".json" "" name ${name})
+  string(REGEX REPLACE "[._-]" ";" words ${name})
+  set(camel "k")
+  foreach(word IN LISTS words)
+    string(SUBSTRING ${word} 0 1 first)
+    string(SUBSTRING ${word} 1 -1 rest)
+    string(TOUPPER ${first} first)
+    string(APPEND camel "${first}${rest}")
+  endforeach()
+  set(${result} ${camel} PARENT_SCOPE)
+endfunction()
+
+set(header "#pragma once\n\n// Written by schemas/embed.cmake; edit the files in schemas/ instead.\n\n#include <string_view>\n\n")
+string(APPEND header "namespace softwall::schemas {\n\n")
+foreach(source IN LISTS SOURCES)
+  constant_name(${source} constant)
+  file(READ ${source} text)
+  string(APPEND header "inline constexpr std::string_view ${constant} = R\"softwall(${text})softwall\";\n\n")
+endforeach()
+string(APPEND header "}  // namespace softwall::schemas\n")
+file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "@header@" @ONLY)

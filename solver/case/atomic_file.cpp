@@ -1,0 +1,87 @@
+#include "solver/case/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include "solver/case/file_descriptor.hpp"
+
+namespace softwall {
+namespace {
+
+[[noreturn]] void fail(const char* step, const std::filesystem::path& path) {
+  throw std::system_error(errno, std::generic_category(),
+                          std::string("cannot ") + step + " " + path.string());
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+/// Removes the temporary file unless it has become the real one.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::filesystem::path& final_name) {
+    static std::atomic<unsigned> counter{0};  // two threads of one process may write the same file
+    path_ = folder_of(final_name) / ("." + final_name.filename().string() + ".tmp-" +
+                                     std::to_string(::getpid()) + "-" + std::to_string(counter++));
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    if (!path_.empty()) ::unlink(path_.c_str());
+  }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  void release() { path_.clear(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+void write_all(int descriptor, std::string_view contents, const std::filesystem::path& path) {
+  while (!contents.empty()) {
+    const ssize_t count = ::write(descriptor, contents.data(), contents.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail("write", path);
+    contents.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace
+
+void sync_directory(const std::filesystem::path& directory) {
+  const FileDescriptor folder(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder) fail("open the folder", directory);
+  if (::fsync(folder.get()) != 0) fail("sync the folder", directory);
+}
+
+void write_atomically(const std::filesystem::path& file, std::string_view contents, Durability durability) {
+  const bool synced = durability == Durability::kSynced;
+  TemporaryFile temporary(file);
+  const auto& name = temporary.path();
+  // A leftover of a killed process that had the same id is ours to overwrite: no one else uses this name.
+  FileDescriptor descriptor(
+      ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666));
+  if (!descriptor) fail("create", name);
+  write_all(descriptor.get(), contents, name);
+  if (synced && ::fsync(descriptor.get()) != 0) fail("sync", name);
+  if (!descriptor.close()) fail("close", name);
+  if (::rename(name.c_str(), file.c_str()) != 0) fail("replace", file);
+  temporary.release();
+  if (synced) sync_directory(folder_of(file));
+}
+
+void publish_file(const std::filesystem::path& temporary, const std::filesystem::path& file) {
+  const FileDescriptor descriptor(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!descriptor) fail("open", temporary);
+  if (::fsync(descriptor.get()) != 0) fail("sync", temporary);
+  if (::rename(temporary.c_str(), file.c_str()) != 0) fail("replace", file);
+  sync_directory(folder_of(file));
+}
+
+}  // namespace softwall

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+/// Writing files that matter: a reader, also after a crash, finds the old file or the new one, never half of
+/// one. Temporary file in the same folder, fsync, rename, fsync of the folder. Errors throw std::system_error
+/// naming the file and the step that failed; the temporary file is then removed and the old one is untouched.
+namespace softwall {
+
+enum class Durability {
+  kSynced,  ///< survives a power loss once the call returns
+  kQuick    ///< atomic for other processes, but a power loss may bring the old contents back (status.json)
+};
+
+void write_atomically(const std::filesystem::path& file, std::string_view contents,
+                      Durability durability = Durability::kSynced);
+
+/// The second half of the same protocol, for a file some library wrote: fsync `temporary`, rename it to
+/// `file`, fsync the folder. Both must lie in one folder.
+void publish_file(const std::filesystem::path& temporary, const std::filesystem::path& file);
+
+/// fsync a folder, so that creations, renames and removals in it survive a power loss.
+void sync_directory(const std::filesystem::path& directory);
+
+}  // namespace softwall

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+/// A case as the solver and the manager see it. Every field mirrors schemas/case.schema.json, where type,
+/// unit, default and meaning are written; defaults stand nowhere else. Units: half height h, bulk velocity
+/// U_b, density rho.
+namespace softwall {
+
+enum class FlowType { kRigidChannel, kElasticWall };
+enum class InitialType { kPerturbedLaminar, kPrecursor };
+enum class WenoWeights { kJiangShu, kZ };
+
+struct GridSpec {
+  int nx = 0;
+  int ny_fluid = 0;  ///< cells in 0 < y < 2
+  int ny_solid = 0;  ///< cells in 2 < y < 2 + layer_height; 0 for a rigid channel
+  int nz = 0;
+  double stretching = 0.0;  ///< 0: uniform; s > 0: y = 1 + tanh(s (2 xi - 1)) / tanh(s) in the fluid
+  [[nodiscard]] int ny() const { return ny_fluid + ny_solid; }
+};
+
+struct SolidSpec {
+  double G = 0.0;                ///< modulus of transverse elasticity / (rho U_b^2)
+  double viscosity_ratio = 1.0;  ///< mu_s / mu_f
+  WenoWeights weno = WenoWeights::kJiangShu;
+  double threshold = 0.0;       ///< cells with phi below it take B from the solid above them
+  double min_eigenvalue = 0.0;  ///< B is kept >= this in every cell
+};
+
+struct TimeStepSpec {
+  std::optional<double> fixed_dt;  ///< when absent: adaptive
+  double safety = 0.0;             ///< fraction of the stability limits
+};
+
+struct InitialSpec {
+  InitialType type = InitialType::kPerturbedLaminar;
+  double amplitude = 0.0;  ///< of the perturbation, in U_b
+  std::uint64_t seed = 0;
+  std::string precursor;      ///< case id whose last checkpoint starts this case
+  double precursor_time = 0;  ///< the end time that precursor ran to
+};
+
+struct StatisticsSpec {
+  double start_time = 0.0;
+  int interval_steps = 0;     ///< steps between samples
+  double block_length = 0.0;  ///< h/U_b per statistics block
+};
+
+/// What makes two runs the same physical case: all of it, and nothing else, enters the case id.
+struct Physics {
+  FlowType flow = FlowType::kRigidChannel;
+  double reynolds = 0.0;
+  double length_x = 0.0, length_z = 0.0, layer_height = 0.0;
+  GridSpec grid;
+  std::optional<SolidSpec> solid;  ///< present exactly when flow is elastic_wall
+  TimeStepSpec time_step;
+  InitialSpec initial;
+  StatisticsSpec statistics;
+};
+
+/// How far and how to run it; may change between attempts without changing any number computed.
+struct RunSpec {
+  double end_time = 0.0;
+  std::int64_t checkpoint_steps = 0;  ///< steps between checkpoints; 0: by wall clock only
+  double checkpoint_seconds = 0.0;    ///< wall-clock seconds between checkpoints; 0: by steps only
+  int keep_checkpoints = 2;
+  double field_interval = 0.0;               ///< h/U_b between field snapshots for ParaView; 0: none
+  std::filesystem::path initial_checkpoint;  ///< precursor's checkpoint file; relative to the run directory
+};
+
+struct Case {
+  std::string label;
+  Physics physics;
+  RunSpec run;
+  std::string id;  ///< case_id(physics), 16 hexadecimal digits
+};
+
+/// All mistakes of an input at once, one per line: JSON pointer, what was given, what is allowed.
+struct BadInput;  // solver/case/bad_input.hpp
+
+/// Parse and check a case.json text. Throws BadInput with every mistake.
+[[nodiscard]] Case parse_case(const std::string& text);
+[[nodiscard]] Case read_case(const std::filesystem::path& case_file);
+
+/// The whole case as JSON with every default written out; parse_case(to_json(c).dump()) == c.
+[[nodiscard]] nlohmann::json to_json(const Case& c);
+
+}  // namespace softwall

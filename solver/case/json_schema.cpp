@@ -1,0 +1,184 @@
+#include "solver/case/json_schema.hpp"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "solver/case/spelling.hpp"
+
+namespace softwall {
+namespace {
+
+using nlohmann::json;
+using Pointer = json::json_pointer;
+
+/// Replaces {"$ref": "file#/pointer"} by what it points to.
+void resolve_references(json& node, const std::map<std::string, json>& documents) {
+  if (node.is_object() && node.contains("$ref")) {
+    const std::string reference = node.at("$ref");
+    const std::size_t hash = reference.find('#');
+    const std::string file = reference.substr(0, hash);
+    if (hash == std::string::npos || !documents.contains(file))
+      throw std::logic_error("schema reference to an unknown document: " + reference);
+    json target = documents.at(file).at(Pointer(reference.substr(hash + 1)));
+    node = std::move(target);
+  }
+  if (node.is_structured())
+    for (auto& child : node) resolve_references(child, documents);
+}
+
+const json* child_schema(const json& node, const std::string& key) {
+  if (const auto properties = node.find("properties"); properties != node.end() && properties->contains(key))
+    return &properties->at(key);
+  if (const auto rest = node.find("additionalProperties"); rest != node.end() && rest->is_object())
+    return &*rest;
+  if (const auto items = node.find("items"); items != node.end() && items->is_object()) return &*items;
+  return nullptr;
+}
+
+/// valijson names a place as {"<root>", "[physics]", "[grid]"}.
+Pointer place(const std::vector<std::string>& context) {
+  Pointer pointer;
+  for (std::size_t i = 1; i < context.size(); ++i) pointer /= context[i].substr(1, context[i].size() - 2);
+  return pointer;
+}
+
+/// An object or array member of the document, or null: a name such as "7" may mean either.
+const json* find(const json& document, const Pointer& pointer) {
+  try {
+    return &document.at(pointer);
+  } catch (const json::exception&) {
+    return nullptr;
+  }
+}
+
+std::vector<std::string> known_keys(const json& node) {
+  std::vector<std::string> keys;
+  if (node.contains("properties"))
+    for (const auto& [key, unused] : node.at("properties").items()) keys.push_back(key);
+  return keys;
+}
+
+std::string printable_pointer(const Pointer& pointer) { return printable(pointer.to_string(), 200); }
+
+void add_unknown(const json& object, const json& node, const Pointer& at, std::vector<Mistake>& mistakes) {
+  if (node.value("additionalProperties", json(true)) != json(false)) return;
+  const auto known = known_keys(node);
+  for (const auto& [key, unused] : object.items())
+    if (!node.at("properties").contains(key)) mistakes.push_back(unknown_key(at.to_string(), key, known));
+}
+
+void add_missing(const json& object, const json& node, const Pointer& at, std::vector<Mistake>& mistakes) {
+  for (const std::string key : node.value("required", json::array())) {
+    if (object.contains(key)) continue;
+    const json* wanted = child_schema(node, key);
+    mistakes.push_back(
+        {printable_pointer(at / key), "missing", wanted ? "needs " + allowed_by(*wanted) : ""});
+  }
+}
+
+bool has_deeper(const std::set<std::string>& places, const std::string& at) {
+  const auto next = places.lower_bound(at + "/");
+  return next != places.end() && next->starts_with(at + "/");
+}
+
+}  // namespace
+
+struct JsonSchema::Compiled {
+  valijson::Schema schema;
+};
+
+JsonSchema::JsonSchema(std::string_view text, const std::map<std::string, std::string_view>& others)
+    : schema_(json::parse(text)) {
+  std::map<std::string, json> documents{{"", schema_}};  // "#/properties/run" is a part of the schema itself
+  for (const auto& [name, other] : others) documents[name] = json::parse(other);
+  resolve_references(schema_, documents);
+
+  auto compiled = std::make_shared<Compiled>();
+  valijson::SchemaParser parser;
+  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_), compiled->schema);
+  compiled_ = std::move(compiled);
+}
+
+std::vector<Mistake> JsonSchema::mistakes(const json& document) const {
+  valijson::Validator validator;
+  valijson::ValidationResults results;
+  if (validator.validate(compiled_->schema, valijson::adapters::NlohmannJsonAdapter(document), &results))
+    return {};
+
+  // valijson reports a mistake at its place and again at every enclosing one. Only the places are used: what
+  // is wrong there is read from schema and document, because valijson's own sentences name neither.
+  std::set<std::string> places;
+  for (const auto& error : results) places.insert(place(error.context).to_string());
+  std::vector<Mistake> found;
+  for (const std::string& name : places) {
+    const Pointer at(name);
+    const json* value = find(document, at);
+    const json* node = part(at);
+    if (!value || !node) continue;
+    const std::size_t before = found.size();
+    if (value->is_object() && node->contains("properties")) {
+      add_unknown(*value, *node, at, found);
+      add_missing(*value, *node, at, found);
+    }
+    if (found.size() == before && !has_deeper(places, name))
+      found.push_back({printable_pointer(at), quoted(*value), "must be " + allowed_by(*node)});
+  }
+  if (found.empty()) found.push_back({"", "not valid", results.begin()->description});
+  return found;
+}
+
+void JsonSchema::fill_defaults(json& document) const {
+  const auto fill = [](const auto& self, const json& node, json& value) -> void {
+    if (!value.is_object() || !node.contains("properties")) return;
+    for (const auto& [key, child] : node.at("properties").items()) {
+      if (!value.contains(key) && child.contains("default")) value[key] = child.at("default");
+      if (value.contains(key)) self(self, child, value[key]);
+    }
+  };
+  fill(fill, schema_, document);
+}
+
+void JsonSchema::drop_defaults(json& document) const {
+  const auto drop = [](const auto& self, const json& node, json& value) -> void {
+    if (!value.is_object() || !node.contains("properties")) return;
+    for (const auto& [key, child] : node.at("properties").items()) {
+      if (!value.contains(key)) continue;
+      self(self, child, value[key]);
+      if (child.contains("default") && value[key] == child.at("default")) value.erase(key);
+    }
+  };
+  drop(drop, schema_, document);
+}
+
+const json* JsonSchema::part(const Pointer& pointer) const {
+  if (pointer.empty()) return &schema_;
+  const json* parent = part(pointer.parent_pointer());
+  return parent ? child_schema(*parent, pointer.back()) : nullptr;
+}
+
+std::string quoted(const json& value) {
+  if (value.is_object() || value.is_array()) {
+    const std::string kind = value.is_object() ? "an object" : "an array";
+    if (!value.empty()) return kind;
+    return value.is_object() ? "{}" : "[]";
+  }
+  if (value.is_string()) return "\"" + printable(value.get_ref<const std::string&>()) + "\"";
+  return value.dump();
+}
+
+Mistake unknown_key(const std::string& pointer, const std::string& key,
+                    const std::vector<std::string>& known) {
+  const std::string where = printable(pointer, 200) + "/" + printable(key);
+  if (const auto meant = suggestion(key, known))
+    return {where, "unknown key", "did you mean \"" + *meant + "\"?"};
+  std::string all;
+  for (const auto& word : known) all += (all.empty() ? "" : ", ") + word;
+  return {where, "unknown key", "known here: " + all};
+}
+
+}  // namespace softwall

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/case/bad_input.hpp"
+
+namespace softwall {
+
+/// One of our schemas: says what is wrong with a document and fills in what it leaves out.
+/// valijson decides whether a document is valid; this class only says it in words a user can act on.
+class JsonSchema {
+ public:
+  /// `text` is a draft-07 schema. A reference {"$ref": "case.schema.json#/properties/run"} is replaced by
+  /// that part of the document of that name in `others`, so that a parameter is described once only.
+  explicit JsonSchema(std::string_view text, const std::map<std::string, std::string_view>& others = {});
+
+  /// Every mistake in the document, sorted by place; empty when it is valid.
+  [[nodiscard]] std::vector<Mistake> mistakes(const nlohmann::json& document) const;
+
+  /// Writes the "default" of every absent member into the document, also inside objects that themselves have
+  /// a default. Members of the wrong type are left as they are.
+  void fill_defaults(nlohmann::json& document) const;
+
+  /// The opposite: removes every member that equals its default, also where objects thereby become empty.
+  void drop_defaults(nlohmann::json& document) const;
+
+  /// The schema of one part, by the pointer it would have in a document: "/physics/grid"; null when there is
+  /// none.
+  [[nodiscard]] const nlohmann::json* part(const nlohmann::json::json_pointer& pointer) const;
+
+  [[nodiscard]] const nlohmann::json& document() const { return schema_; }
+
+ private:
+  struct Compiled;  ///< valijson's form; its headers stay out of ours
+  nlohmann::json schema_;
+  std::shared_ptr<const Compiled> compiled_;
+};
+
+/// "an integer from 4 to 100000", "one of \"js\", \"z\"": what a schema node allows.
+[[nodiscard]] std::string allowed_by(const nlohmann::json& schema_node);
+
+/// A value as it is quoted in a message: JSON, cut to a readable length.
+[[nodiscard]] std::string quoted(const nlohmann::json& value);
+
+/// "unknown key", with the key that was probably meant or else all that are known.
+[[nodiscard]] Mistake unknown_key(const std::string& pointer, const std::string& key,
+                                  const std::vector<std::string>& known);
+
+}  // namespace softwall

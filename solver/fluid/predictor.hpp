@@ -1,0 +1,29 @@
+#pragma once
+
+#include "solver/fluid/momentum.hpp"
+#include "solver/grid/field.hpp"
+#include "solver/grid/solid_input.hpp"
+#include "solver/grid/stage.hpp"
+
+/// Predicted velocity of a substep, paper eq:NS-num1:
+///   u* = u^{k-1} + dt [ -2 alpha grad p^{k-1} + alpha (f^k + f^{k-1}) + beta R^{k-1} + gamma R^{k-2} ]
+/// with R the convective and viscous terms and f the elastic force. The uniform driving gradient comes after
+/// the projection (forcing.hpp): the two commute.
+namespace softwall::fluid {
+
+class Predictor {
+ public:
+  Predictor(const Grid& grid, Real viscosity);
+
+  /// Replaces `velocity` by u*. Ghost cells are read from the old velocity and not filled in the new one.
+  void advance(grid::VectorField& velocity, const grid::Field& pressure, const SolidInput& solid,
+               const Stage& stage, Real dt);
+
+ private:
+  const Grid& grid_;
+  Real viscosity_;
+  grid::VectorField rate_;       ///< R^{k-2} on entry, R^{k-1} on return
+  grid::VectorField predicted_;  ///< u*, exchanged with the velocity at the end
+};
+
+}  // namespace softwall::fluid

@@ -1,0 +1,42 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "solver/simulation.hpp"
+#include "solver/stop_request.hpp"
+
+// softwall-dns: runs one case under mpirun. See solver/case/exit_codes.hpp for what it returns.
+
+namespace {
+
+softwall::RunOptions parse(CLI::App& app, int argc, char** argv) {
+  softwall::RunOptions options;
+  app.add_option("RUN_DIR", options.files.directory, "folder that holds case.json")->required();
+  app.add_option("--attempt", options.attempt, "number of this attempt, for the reports")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--wall-seconds", options.wall_seconds, "stop in order before so many seconds have passed")
+      ->check(CLI::NonNegativeNumber);
+  app.parse(argc, argv);
+  return options;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  softwall::install_signal_handlers();
+  CLI::App app("Direct numerical simulation of channel flow over a rigid or an elastic wall");
+  softwall::RunOptions options;
+  try {
+    options = parse(app, argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(softwall::ExitCode::kBadCase);
+  }
+  const softwall::parallel::Session mpi(&argc, &argv);
+  try {
+    return static_cast<int>(softwall::run_case(options, MPI_COMM_WORLD));
+  } catch (const std::exception& error) {
+    // One rank's own trouble: the others would wait for it for ever.
+    std::fprintf(stderr, "softwall-dns: %s\n", error.what());
+    MPI_Abort(MPI_COMM_WORLD, static_cast<int>(softwall::ExitCode::kFailed));
+    return static_cast<int>(softwall::ExitCode::kFailed);
+  }
+}

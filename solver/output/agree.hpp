@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "solver/case/exit_codes.hpp"
+#include "solver/parallel/mpi.hpp"
+
+/// Errors that all ranks know of. An error on one rank alone, thrown past a collective call, leaves the
+/// others waiting for ever; so whatever one rank does on its own is followed by an agreement.
+namespace softwall::output {
+
+/// An error thrown on every rank at once: the program may end in order, with this exit code.
+struct AgreedError : std::runtime_error {
+  AgreedError(ExitCode exit_code, const std::string& message)
+      : std::runtime_error(message), code(exit_code) {}
+  ExitCode code;
+};
+
+/// Runs `work` on every rank. When it throws on any, throws AgreedError on all with the message of the lowest
+/// such rank; `code` is used unless that rank threw an AgreedError itself, or an error of the disk (75).
+void agree(const parallel::Communicator& all, ExitCode code, const std::function<void()>& work);
+
+/// The same for what rank 0 does alone.
+void agree_on_root(const parallel::Communicator& all, ExitCode code, const std::function<void()>& work);
+
+/// Rank 0's text, on every rank.
+[[nodiscard]] std::string from_root(const parallel::Communicator& all, std::string text);
+
+/// The exit code that tells the manager what to do about this exception: disk full and its like are 75.
+[[nodiscard]] ExitCode exit_code_of(const std::exception& error, ExitCode otherwise);
+
+/// For errors after which a parallel file cannot even be closed. Called by all ranks: rank 0 prints the
+/// message and ends the program with MPI_Abort, the others wait for that.
+[[noreturn]] void abort_all(const parallel::Communicator& all, ExitCode code, const std::string& message);
+
+}  // namespace softwall::output

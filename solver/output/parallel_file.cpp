@@ -1,0 +1,158 @@
+#include "solver/output/parallel_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <vector>
+
+#include "solver/output/agree.hpp"
+
+namespace softwall::output {
+
+namespace {
+
+using analysis::Hdf5Id;
+
+void must(herr_t status, const char* what) {
+  if (status >= 0) return;
+  std::string reason;
+  const auto keep = [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
+    *static_cast<std::string*>(out) = error->desc == nullptr ? "" : error->desc;
+    return 0;
+  };
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, +keep, &reason);
+  throw std::runtime_error(std::string(what) + " (HDF5: " + reason + ")");
+}
+
+Hdf5Id property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose, "cannot create a property list"}; }
+
+hid_t create_file(const std::filesystem::path& path, MPI_Comm comm, std::int64_t user_block) {
+  const Hdf5Id creation = property_list(H5P_FILE_CREATE), access = property_list(H5P_FILE_ACCESS);
+  must(H5Pset_userblock(creation.get(), static_cast<hsize_t>(user_block)), "cannot set the user block");
+  must(H5Pset_obj_track_times(creation.get(), false), "cannot leave out the time stamps");
+  must(H5Pset_fapl_mpio(access.get(), comm, MPI_INFO_NULL), "cannot choose parallel access");
+  must(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), "cannot choose the format");
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get());
+  must(file < 0 ? -1 : 0, "cannot create the file");
+  return file;
+}
+
+Hdf5Id create_dataset(hid_t file, const std::string& name, hid_t type, hid_t space) {
+  const Hdf5Id creation = property_list(H5P_DATASET_CREATE);
+  must(H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER), "cannot leave out the fill values");
+  must(H5Pset_obj_track_times(creation.get(), false), "cannot leave out the time stamps");
+  return {H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, creation.get(), H5P_DEFAULT), H5Dclose,
+          "cannot create " + name};
+}
+
+/// This rank's cells in the order of the file.
+std::vector<double> packed(const grid::Field& field, int rows) {
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(field.nx()) * static_cast<std::size_t>(rows) *
+                 static_cast<std::size_t>(field.nz()));
+  const auto q = field.view();
+  for (int k = 0; k < field.nz(); ++k) {
+    for (int j = 0; j < rows; ++j) values.insert(values.end(), &q(0, j, k), &q(0, j, k) + field.nx());
+  }
+  return values;
+}
+
+}  // namespace
+
+/// Shape of a dataset and the part of it that this rank writes.
+struct ParallelFile::Selection {
+  std::vector<hsize_t> shape, start, count;
+
+  [[nodiscard]] Hdf5Id file_space() const {
+    return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose,
+            "cannot create a dataspace"};
+  }
+  [[nodiscard]] bool empty() const { return std::count(count.begin(), count.end(), hsize_t{0}) > 0; }
+  void select(hid_t space) const {
+    if (empty()) return must(H5Sselect_none(space), "cannot select nothing");
+    must(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+         "cannot select this rank's part");
+  }
+  [[nodiscard]] Hdf5Id memory_space() const {
+    return {H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose,
+            "cannot create a dataspace"};
+  }
+};
+
+ParallelFile::ParallelFile(std::filesystem::path path, const parallel::Communicator& all,
+                           std::int64_t user_block)
+    : path_(std::move(path)), all_(all) {
+  step("create", [&] {
+    file_ = create_file(path_, all_.get(), user_block);
+    collective_.emplace(property_list(H5P_DATASET_XFER));
+    must(H5Pset_dxpl_mpio(collective_->get(), H5FD_MPIO_COLLECTIVE), "cannot choose collective writes");
+  });
+}
+
+void ParallelFile::step(const std::string& what, const std::function<void()>& work) {
+  try {
+    agree(all_, ExitCode::kIoFailure, work);
+  } catch (const AgreedError& error) {
+    abort_all(all_, ExitCode::kIoFailure, "cannot " + what + " " + path_.string() + ": " + error.what());
+  }
+}
+
+void ParallelFile::create_group(const std::string& name) {
+  step("write", [&] {
+    const Hdf5Id creation = property_list(H5P_GROUP_CREATE);
+    must(H5Pset_obj_track_times(creation.get(), false), "cannot leave out the time stamps");
+    const Hdf5Id group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT), H5Gclose,
+                       "cannot create group " + name);
+  });
+}
+
+void ParallelFile::write(const Label& label, hid_t type, const Selection& selection, const void* data) {
+  // The dataset outlives the step that writes it: it is closed only after all ranks agree that all is well.
+  std::optional<Hdf5Id> dataset;
+  const Hdf5Id space = selection.file_space();
+  step("write", [&] {
+    dataset.emplace(create_dataset(file_, label.name, type, space.get()));
+    analysis::write_attribute(dataset->get(), "description", label.description);
+  });
+  step("write", [&] {
+    selection.select(space.get());
+    const Hdf5Id memory = selection.memory_space();
+    if (selection.empty()) must(H5Sselect_none(memory.get()), "cannot select nothing");
+    must(H5Dwrite(dataset->get(), type, memory.get(), space.get(), collective_->get(), data),
+         ("cannot write " + label.name).c_str());
+  });
+}
+
+void ParallelFile::write_field(const Label& label, const grid::Field& field, int rows, const grid::Grid& g) {
+  const auto size = [](int n) { return static_cast<hsize_t>(n); };
+  const Selection selection{{size(g.nz_global), size(rows), size(g.nx_global)},
+                            {size(g.z_begin), 0, size(g.x_begin)},
+                            {size(g.nz), size(rows), size(g.nx)}};
+  write(label, H5T_IEEE_F64LE, selection, packed(field, rows).data());
+}
+
+void ParallelFile::write_values(const Label& label, std::span<const double> values) {
+  const hsize_t mine = all_.rank() == 0 ? values.size() : 0;
+  write(label, H5T_IEEE_F64LE, {{values.size()}, {0}, {mine}}, values.data());
+}
+
+void ParallelFile::write_number(const Label& label, double value) { write_values(label, {&value, 1}); }
+
+void ParallelFile::write_integer(const Label& label, std::int64_t value) {
+  const hsize_t mine = all_.rank() == 0 ? 1 : 0;
+  write(label, H5T_STD_I64LE, {{1}, {0}, {mine}}, &value);
+}
+
+void ParallelFile::close() {
+  step("flush", [&] { must(H5Fflush(file_, H5F_SCOPE_GLOBAL), "cannot flush"); });
+  step("close", [&] { must(H5Fclose(file_), "cannot close"); });
+}
+
+void prepare_hdf5() {
+  ::setenv("HDF5_USE_FILE_LOCKING", "FALSE",
+           0);  // fails on some network file systems, and nothing here needs it
+  H5dont_atexit();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+}  // namespace softwall::output

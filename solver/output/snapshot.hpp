@@ -1,0 +1,14 @@
+#pragma once
+
+#include "solver/case/run_files.hpp"
+#include "solver/time/setup.hpp"
+#include "solver/time/state.hpp"
+
+namespace softwall::output {
+
+/// Writes fields/fields-<step>.h5 (velocity at cell centers, p, phi) and the .xdmf beside it that ParaView
+/// opens. Collective. Not part of the state: a snapshot that already exists is replaced. I/O errors end the
+/// program with exit code 75.
+void write_snapshot(const RunFiles& run, const time::State& state, const time::Setup& setup);
+
+}  // namespace softwall::output

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "solver/parallel/mpi.hpp"
+
+/// Reductions whose result depends on the number of ranks but never on the order of arrival:
+/// the partial values are gathered and combined in rank order. Restart is bitwise because of this.
+namespace softwall::parallel {
+
+/// Element-wise sum over ranks, in place.
+inline void sum(const Communicator& comm, std::span<double> values) {
+  const int ranks = comm.size();
+  if (ranks == 1) return;
+  const auto n = static_cast<int>(values.size());
+  std::vector<double> parts(values.size() * static_cast<std::size_t>(ranks));
+  check(MPI_Allgather(values.data(), n, MPI_DOUBLE, parts.data(), n, MPI_DOUBLE, comm.get()),
+        "MPI_Allgather");
+  std::fill(values.begin(), values.end(), 0.0);
+  for (std::size_t i = 0; i < parts.size(); ++i) values[i % values.size()] += parts[i];
+}
+
+[[nodiscard]] inline double sum(const Communicator& comm, double value) {
+  sum(comm, std::span(&value, 1));
+  return value;
+}
+
+[[nodiscard]] inline double maximum(const Communicator& comm, double value) {
+  double result = 0.0;
+  check(MPI_Allreduce(&value, &result, 1, MPI_DOUBLE, MPI_MAX, comm.get()), "MPI_Allreduce");
+  return result;
+}
+
+[[nodiscard]] inline double minimum(const Communicator& comm, double value) { return -maximum(comm, -value); }
+
+/// True everywhere when true anywhere.
+[[nodiscard]] inline bool any(const Communicator& comm, bool value) {
+  return maximum(comm, value ? 1.0 : 0.0) > 0.5;
+}
+
+}  // namespace softwall::parallel

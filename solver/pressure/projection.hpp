@@ -1,0 +1,37 @@
+#pragma once
+
+#include "solver/grid/halo.hpp"
+#include "solver/grid/stage.hpp"
+#include "solver/pressure/poisson.hpp"
+
+/// Makes the predicted velocity divergence-free and updates the pressure, paper eq:NS-num2 and eq:NS-num3:
+///   laplacian(psi) = div(u*) / (2 alpha dt),   u = u* - 2 alpha dt grad psi,   p += psi.
+namespace softwall::pressure {
+
+class Projection {
+ public:
+  Projection(const Grid& grid, const parallel::Decomposition& decomposition, grid::Halo& halo);
+
+  /// `velocity` with all ghost cells filled on entry; interior divergence-free on return, ghost cells stale.
+  void project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, Real dt);
+
+ private:
+  const Grid& grid_;
+  grid::Halo& halo_;
+  Poisson poisson_;
+  grid::Field psi_;
+};
+
+/// Divergence at the center of cell (i, j, k).
+inline Real divergence(const grid::View<const Real>& u, const grid::View<const Real>& v,
+                       const grid::View<const Real>& w, Real inv_dx, Real inv_dy, Real inv_dz, int i, int j,
+                       int k) {
+  return (u(i + 1, j, k) - u(i, j, k)) * inv_dx + (v(i, j + 1, k) - v(i, j, k)) * inv_dy +
+         (w(i, j, k + 1) - w(i, j, k)) * inv_dz;
+}
+
+/// Largest |div u| over all ranks, in U_b / h; ghost cells must be filled.
+[[nodiscard]] double max_divergence(const grid::VectorField& velocity, const Grid& grid,
+                                    const parallel::Decomposition& decomposition);
+
+}  // namespace softwall::pressure

@@ -1,0 +1,105 @@
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+#include "solver/case/bad_input.hpp"
+#include "solver/case/build_info.hpp"
+#include "solver/case/input_file.hpp"
+#include "solver/output/agree.hpp"
+#include "solver/output/parallel_file.hpp"
+#include "solver/output/run_lock.hpp"
+#include "solver/simulation.hpp"
+
+namespace softwall {
+
+namespace {
+
+/// Read once, so that all ranks see the same text; parsed by all.
+Case read_shared_case(const RunFiles& files, const parallel::Communicator& world) {
+  std::string text;
+  output::agree_on_root(world, ExitCode::kBadCase, [&] { text = read_input_file(files.case_file()); });
+  text = output::from_root(world, text);
+  std::optional<Case> parsed;
+  output::agree(world, ExitCode::kBadCase, [&] {
+    try {
+      parsed = parse_case(text);
+    } catch (const BadInput& error) {
+      throw BadInput(files.case_file().string(), error.mistakes);
+    }
+  });
+  return *parsed;
+}
+
+std::string introduction(const Case& c, const RunOptions& options, int ranks) {
+  const BuildInfo build = build_info();
+  const auto& p = c.physics;
+  std::ostringstream text;
+  text << "softwall-dns " << build.version << " (" << build.git_revision << ", " << build.build_type << ", "
+       << build.compiler << "), " << ranks << (ranks == 1 ? " rank on " : " ranks on ") << host_name() << "\n"
+       << "case " << c.id << " \"" << printable(c.label) << "\", attempt " << options.attempt << ": "
+       << (p.solid ? "elastic wall" : "rigid channel") << ", Re " << p.reynolds;
+  if (p.solid) text << ", G " << p.solid->G << ", viscosity ratio " << p.solid->viscosity_ratio;
+  text << ", grid " << p.grid.nx << " x " << p.grid.ny() << " x " << p.grid.nz << ", to time "
+       << c.run.end_time;
+  return text.str();
+}
+
+/// An attempt that could not begin. A case that has finished before keeps its summary.
+void summarise_failure(const Case& c, const RunOptions& options, const parallel::Communicator& world,
+                       const output::AgreedError& error) {
+  output::Summary s;
+  s.case_id = c.id;
+  s.attempt = options.attempt;
+  s.ranks = world.size();
+  s.exit_code = error.code;
+  s.reason = error.what();
+  s.end_time = c.run.end_time;
+  s.started = utc_now();
+  output::agree_on_root(world, ExitCode::kFailed, [&] {
+    if (!output::says_finished(options.files, c.id)) output::write_summary(options.files, s);
+  });
+}
+
+std::unique_ptr<Simulation> begin(const Case& c, const RunOptions& options,
+                                  const parallel::Communicator& world) {
+  try {
+    return std::make_unique<Simulation>(c, options, world);
+  } catch (const output::AgreedError& error) {
+    summarise_failure(c, options, world, error);
+    throw;
+  } catch (const std::invalid_argument& error) {  // more ranks than the grid can feed
+    throw output::AgreedError(ExitCode::kBadCase, error.what());
+  }
+}
+
+ExitCode simulate(const Case& c, const RunOptions& options, const parallel::Communicator& world) {
+  const output::RunLock lock(options.files, world);
+  const auto simulation = begin(c, options, world);
+  try {
+    return simulation->run();
+  } catch (const output::AgreedError& error) {
+    simulation->summarise(error.code, error.what());
+    throw;
+  }
+}
+
+}  // namespace
+
+ExitCode run_case(const RunOptions& options, MPI_Comm comm) {
+  output::prepare_hdf5();
+  const auto world = parallel::Communicator::duplicate(comm);
+  try {
+    const Case c = read_shared_case(options.files, world);
+    if (world.rank() == 0) {
+      std::printf("%s\n", introduction(c, options, world.size()).c_str());
+      std::fflush(stdout);
+    }
+    return simulate(c, options, world);
+  } catch (const output::AgreedError& error) {
+    if (world.rank() == 0) std::fprintf(stderr, "softwall-dns: %s\n", error.what());
+    return error.code;
+  }
+}
+
+}  // namespace softwall

@@ -1,0 +1,266 @@
+#include "solver/simulation.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+#include "solver/case/build_info.hpp"
+#include "solver/output/agree.hpp"
+#include "solver/output/checkpoint_reader.hpp"
+#include "solver/output/checkpoint_writer.hpp"
+#include "solver/output/regrid.hpp"
+#include "solver/output/runaway.hpp"
+#include "solver/output/snapshot.hpp"
+#include "solver/parallel/reduce.hpp"
+#include "solver/pressure/projection.hpp"
+#include "solver/statistics/solid_health.hpp"
+#include "solver/stop_request.hpp"
+#include "solver/time/initial.hpp"
+
+namespace softwall {
+
+using output::agree;
+using output::agree_on_root;
+using output::AgreedError;
+
+Simulation::Simulation(const Case& definition, const RunOptions& options, const parallel::Communicator& world)
+    : case_(definition),
+      options_(options),
+      world_(world),
+      started_(utc_now()),
+      setup_(definition.physics, world.get()),
+      state_(time::state_at_rest(setup_.grid, setup_.solid.has_value())),
+      statistics_(setup_),
+      checkpoints_(options.files, definition.id, definition.run.keep_checkpoints),
+      status_timer_(1.0),
+      report_timer_(10.0),
+      checkpoint_timer_(definition.run.checkpoint_seconds) {
+  checkpoints_.sweep(world_);
+  start_or_resume();
+  limited_before_ = limited_cells();
+  constexpr double kBytesPerSecond = 1e8;  // a guess that the first checkpoint replaces
+  checkpoint_duration_ = static_cast<double>(output::checkpoint_bytes(state_, setup_.grid)) / kBytesPerSecond;
+}
+
+void Simulation::start_or_resume() {
+  const auto found = checkpoints_.newest_valid(world_);
+  for (const auto& reason : checkpoints_.refused()) say("passing over " + reason);
+  if (found) return resume(*found);
+  const auto& initial = case_.physics.initial;
+  if (initial.type == InitialType::kPrecursor) {
+    const auto file = (options_.files.directory / case_.run.initial_checkpoint).lexically_normal();
+    state_ = output::start_from_precursor(file, initial, setup_);
+    say("starts from the precursor's " + file.string());
+  } else {
+    state_ = time::perturbed_laminar(setup_);
+    say("starts from a perturbed laminar flow");
+  }
+  record_.solid_volume_at_start = statistics::solid_health(state_, setup_).solid_volume;
+}
+
+void Simulation::resume(const output::FoundCheckpoint& found) {
+  record_ = output::load_checkpoint(found.file, found.header, setup_, state_);
+  agree(world_, ExitCode::kCheckpointRefused, [&] { statistics_.unpack(record_.statistics); });
+  time::start(state_, setup_);
+  checkpoint_step_ = state_.step;
+  resumed_from_ = relative(found.file);
+  std::ostringstream line;
+  line << "resumes from " << resumed_from_ << ": step " << state_.step << ", time " << state_.time;
+  say(line.str());
+}
+
+ExitCode Simulation::run() {
+  last_step_ = time::choose_time_step(state_, setup_);
+  write_status();
+  Decision next = decide();
+  while (!next.stop() && state_.time < case_.run.end_time) {
+    const double time_before = state_.time;
+    step();
+    next = decide();
+    if (next.fastest > output::kFastestVelocity) {
+      throw AgreedError(ExitCode::kDiverged, output::describe_runaway(state_, next.fastest));
+    }
+    snapshot(time_before);
+    if (next.report) report();
+    if (next.checkpoint) checkpoint();
+  }
+  return finish(next);
+}
+
+void Simulation::step() {
+  pace_.begin_step();
+  last_step_ = time::choose_time_step(state_, setup_);
+  if (!(state_.time + last_step_.dt > state_.time)) {
+    throw AgreedError(ExitCode::kDiverged, "diverged at step " + std::to_string(state_.step) +
+                                               ": the time step has shrunk to " +
+                                               std::to_string(last_step_.dt));
+  }
+  time::advance(state_, setup_, last_step_.dt);
+  statistics_.sample_step(state_, last_step_.dt);
+  pace_.end_step();
+  if (status_timer_.due()) write_status();
+}
+
+/// Clocks differ between ranks, and a signal may have reached some only: the largest of each wish counts.
+Simulation::Decision Simulation::decide() {
+  const bool root = world_.rank() == 0;
+  const auto& run = case_.run;
+  const bool by_steps = run.checkpoint_steps > 0 && state_.step % run.checkpoint_steps == 0;
+  const bool by_clock = run.checkpoint_seconds > 0 && root && checkpoint_timer_.due();
+  const std::array<double, 5> mine{output::fastest_here(state_.velocity, setup_.grid), double(stop_signal()),
+                                   double(root && time_is_up()), double(by_steps || by_clock),
+                                   double(root && report_timer_.due())};
+  std::array<double, 5> all{};
+  parallel::check(MPI_Allreduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MAX,
+                                world_.get()),
+                  "MPI_Allreduce");
+  return {all[0], static_cast<int>(all[1]), all[2] > 0, all[3] > 0, all[4] > 0};
+}
+
+bool Simulation::time_is_up() const {
+  if (options_.wall_seconds <= 0) return false;
+  const double still_needed = 2 * (checkpoint_duration_ + pace_.seconds_per_step());
+  return output::Timer::seconds_since(options_.started) + still_needed >= options_.wall_seconds;
+}
+
+void Simulation::checkpoint() {
+  if (checkpoint_step_ == state_.step) return;
+  const auto begin = output::Clock::now();
+  output::RunRecord now = record_;
+  now.statistics = statistics_.pack();
+  now.limited_cells += limited_cells() - limited_before_;
+  const auto file =
+      output::write_checkpoint(options_.files, {case_.id, options_.attempt}, state_, now, setup_);
+  checkpoints_.prune(file, world_);
+  checkpoint_step_ = state_.step;
+  checkpoint_timer_.reset();
+  checkpoint_duration_ = output::Timer::seconds_since(begin);
+}
+
+void Simulation::snapshot(double time_before) {
+  const double interval = case_.run.field_interval;
+  if (interval <= 0 || std::floor(state_.time / interval) == std::floor(time_before / interval)) return;
+  output::write_snapshot(options_.files, state_, setup_);
+}
+
+void Simulation::write_results() {
+  checkpoint();
+  agree_on_root(world_, ExitCode::kFailed, [&] {
+    auto blocks = statistics_.blocks();
+    blocks.case_id = case_.id;
+    analysis::write_statistics(options_.files.statistics(), blocks);
+  });
+}
+
+ExitCode Simulation::finish(const Decision& last) {
+  report();
+  write_results();
+  const bool finished = state_.time >= case_.run.end_time;
+  const ExitCode code = finished ? ExitCode::kDone : ExitCode::kInterrupted;
+  std::string reason = "end time reached";
+  if (!finished) reason = last.signal != 0 ? "signal " + std::to_string(last.signal) : "wall-clock limit";
+  summarise(code, reason);
+  write_status();
+  std::ostringstream line;
+  line << output::outcome_of(code) << " (" << reason << ") at step " << state_.step << ", time "
+       << state_.time << " of " << case_.run.end_time << "; " << pace_.steps() << " steps, "
+       << pace_.ns_per_cell_step(setup_.grid.cells()) << " ns per cell and step";
+  say(line.str());
+  return code;
+}
+
+namespace {
+
+/// Friction Reynolds number of the rigid wall at this moment.
+double re_tau(const time::State& state, const time::Setup& setup) {
+  const auto& g = setup.grid;
+  const auto u = state.velocity.x.view();
+  const double sum =
+      parallel::sum(setup.decomposition.all(),
+                    grid::sum_cells(grid::rows(g, 0, 1), [=](int i, int j, int k) { return u(i, j, k); }));
+  const double shear = sum / (double(g.nx_global) * g.nz_global) / (g.dy[0] / 2);
+  return setup.physics.reynolds * std::sqrt(setup.viscosity * std::abs(shear));
+}
+
+}  // namespace
+
+void Simulation::report() {
+  report_timer_.reset();
+  const double friction = re_tau(state_, setup_);
+  const double divergence =
+      pressure::max_divergence(state_.velocity, setup_.grid, setup_.decomposition) * setup_.grid.dx;
+  divergence_ = std::max(divergence_, divergence);
+  std::array<char, 200> line{};
+  std::snprintf(line.data(), line.size(),
+                "step %8lld  t %10.4f  dt %.3e (%s)  P %.4e  Re_tau %.1f  div %.1e  %.0f ns/cell/step",
+                static_cast<long long>(state_.step), state_.time, last_step_.dt, last_step_.limit,
+                state_.driving_gradient, friction, divergence,
+                1e9 * pace_.seconds_per_step() / setup_.grid.cells());
+  say(line.data());
+}
+
+/// A full disk must not end a run before a checkpoint fails: a status is only a hint.
+void Simulation::write_status() {
+  status_timer_.reset();
+  if (world_.rank() != 0) return;
+  const std::string limit = last_step_.limit;
+  try {
+    output::write_status(options_.files,
+                         {case_.id, options_.attempt, world_.size(), state_.step, state_.time,
+                          case_.run.end_time, last_step_.dt, limit == "convection" ? "advection" : limit,
+                          pace_.seconds_per_step(), checkpoint_step_});
+  } catch (const std::system_error& error) {
+    say(std::string("cannot write the status: ") + error.what());
+  }
+}
+
+double Simulation::limited_cells() const {
+  const double here = setup_.solid ? static_cast<double>(setup_.solid->limited_cells()) : 0.0;
+  return parallel::sum(world_, here);
+}
+
+std::map<std::string, double> Simulation::diagnostics() {
+  std::map<std::string, double> all{{"max_divergence", divergence_}};
+  if (!setup_.solid) return all;
+  const auto health = statistics::solid_health(state_, setup_);
+  const double at_start = record_.solid_volume_at_start;
+  all["solid_fraction_sum"] = health.solid_volume;
+  all["solid_fraction_drift"] = (health.solid_volume - at_start) / at_start;
+  all["min_eigenvalue_B"] = health.min_eigenvalue;
+  all["max_det_error"] = health.max_det_error;
+  all["interface_width_cells"] = health.interface_width_cells;
+  all["limited_cells"] = record_.limited_cells + limited_cells() - limited_before_;
+  return all;
+}
+
+void Simulation::summarise(ExitCode code, const std::string& reason) {
+  output::Summary s{case_.id,
+                    options_.attempt,
+                    world_.size(),
+                    code,
+                    reason,
+                    state_.step,
+                    state_.time,
+                    case_.run.end_time,
+                    pace_.steps(),
+                    output::Timer::seconds_since(options_.started),
+                    pace_.ns_per_cell_step(setup_.grid.cells()),
+                    checkpoint_step_ < 0 ? "" : relative(options_.files.checkpoint(checkpoint_step_)),
+                    resumed_from_,
+                    started_,
+                    diagnostics()};
+  agree_on_root(world_, ExitCode::kFailed, [&] { output::write_summary(options_.files, s); });
+}
+
+std::string Simulation::relative(const std::filesystem::path& file) const {
+  return file.lexically_relative(options_.files.directory).string();
+}
+
+void Simulation::say(const std::string& line) const {
+  if (world_.rank() != 0) return;
+  std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+}
+
+}  // namespace softwall

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "solver/grid/field.hpp"
+#include "solver/grid/grid.hpp"
+#include "solver/parallel/decomposition.hpp"
+
+/// The interface as a height over each column (x, z): the isoline phi = 1/2.
+namespace softwall::statistics {
+
+/// Where phi, followed from the upper wall down each column, first falls below `level`: row as a real number,
+/// j at y_center[j], interpolated linearly between the two centers around it. One value for each of this
+/// rank's columns, i + nx k. -1/2 (the bottom wall) where phi never falls below, ny - 1/2 (the upper wall)
+/// where it is below from the start. Islands of solid or fluid beyond the first crossing do not matter.
+[[nodiscard]] std::vector<double> crossing_rows(const grid::Field& phi, double level, const grid::Grid& grid);
+
+/// Height of a row given as a real number, h; linear between centers.
+[[nodiscard]] double height_of_row(double row, const grid::Grid& grid);
+
+/// The interface of the whole plane at one moment, h.
+struct InterfaceShape {
+  double mean = 0;
+  double rms = 0;            ///< about the mean
+  double max_deviation = 0;  ///< max |eta - mean|
+};
+
+/// Shape of the isoline phi = 1/2. A sharp step lies midway between the two centers around it: at the face on
+/// a uniform grid, a quarter of the difference of the two cell heights off it on a stretched one. Collective.
+[[nodiscard]] InterfaceShape interface_shape(const grid::Field& phi, const grid::Grid& grid,
+                                             const parallel::Decomposition& decomposition);
+
+/// Distance in rows between phi = 0.9 and phi = 0.1, mean over all columns. A sharp step between two centers
+/// counts 0.8. Collective.
+[[nodiscard]] double interface_width(const grid::Field& phi, const grid::Grid& grid,
+                                     const parallel::Decomposition& decomposition);
+
+}  // namespace softwall::statistics

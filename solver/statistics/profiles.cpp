@@ -1,0 +1,168 @@
+#include "solver/statistics/profiles.hpp"
+
+#include <array>
+
+#include "solver/parallel/reduce.hpp"
+#include "solver/solid/fraction.hpp"
+
+namespace softwall::statistics {
+
+namespace {
+
+using analysis::Location;
+using grid::Grid;
+using grid::Real;
+using grid::View;
+
+constexpr std::array<ProfileKind, kProfileCount> kKinds = {{
+    {"u", Location::kCenter, "", ""},
+    {"v", Location::kCenter, "", ""},
+    {"w", Location::kCenter, "", ""},
+    {"uu", Location::kCenter, "", ""},
+    {"vv", Location::kCenter, "", ""},
+    {"ww", Location::kCenter, "", ""},
+    {"p", Location::kCenter, "", ""},
+    {"pp", Location::kCenter, "", ""},
+    {"uv", Location::kFace, "", ""},
+    {"viscous_stress", Location::kFace, "", ""},
+    {"v_face", Location::kFace, "U_b", "mean wall-normal velocity on the faces where it lives"},
+    {"vv_face", Location::kFace, "U_b^2", "raw second moment <v v> on the faces where v lives"},
+    {"phi", Location::kCenter, "", ""},
+    {"fluid_u", Location::kCenter, "U_b", "streamwise flow of the fluid, <(1 - phi) u>"},
+    {"elastic_stress", Location::kFace, "", ""},
+    {"elastic_xx", Location::kCenter, "rho U_b^2", "mean elastic normal stress <phi G B_xx>"},
+    {"elastic_yy", Location::kCenter, "rho U_b^2", "mean elastic normal stress <phi G B_yy>"},
+    {"elastic_zz", Location::kCenter, "rho U_b^2", "mean elastic normal stress <phi G B_zz>"},
+}};
+
+/// u, u u, w, w w, p, p p of one line of cells in x, added to row j.
+void add_center_line(const time::State& s, int nx, int j, int k, PlaneMeans& sums) {
+  const auto u = s.velocity.x.view(), w = s.velocity.z.view(), p = s.pressure.view();
+  double u1 = 0, u2 = 0, w1 = 0, w2 = 0, p1 = 0, p2 = 0;
+#pragma omp simd reduction(+ : u1, u2, w1, w2, p1, p2)
+  for (int i = 0; i < nx; ++i) {
+    const Real a = u(i, j, k), b = w(i, j, k), c = p(i, j, k);
+    u1 += a;
+    u2 += a * a;
+    w1 += b;
+    w2 += b * b;
+    p1 += c;
+    p2 += c * c;
+  }
+  sums(kU, j) += u1;
+  sums(kUu, j) += u2;
+  sums(kW, j) += w1;
+  sums(kWw, j) += w2;
+  sums(kP, j) += p1;
+  sums(kPp, j) += p2;
+}
+
+/// v, v v on faces; u v and the viscous stress on xy edges.
+template <bool kVariable>
+void add_face_line(const fluid::MomentumInput& m, int nx, int j, int k, PlaneMeans& sums) {
+  double v1 = 0, v2 = 0, uv = 0, viscous = 0;
+#pragma omp simd reduction(+ : v1, v2, uv, viscous)
+  for (int i = 0; i < nx; ++i) {
+    const Real v = m.v(i, j, k);
+    const Real product = (m.u(i, j, k) + m.u(i, j - 1, k)) / 2 * ((v + m.v(i - 1, j, k)) / 2);
+    v1 += v;
+    v2 += v * v;
+    uv += product;
+    viscous += fluid::flux_xy<kVariable>(m, i, j, k) + product;
+  }
+  sums(kVFace, j) += v1;
+  sums(kVvFace, j) += v2;
+  sums(kUv, j) += uv;
+  sums(kViscousStress, j) += viscous;
+}
+
+/// phi, flow of the fluid (weighted as fluid/forcing.hpp does) and elastic normal stresses.
+void add_solid_center_line(const time::State& s, double G, int nx, int j, int k, PlaneMeans& sums) {
+  const auto u = s.velocity.x.view(), phi = s.material.phi.view(), xx = s.material.B.xx.view(),
+             yy = s.material.B.yy.view(), zz = s.material.B.zz.view();
+  double fraction = 0, flow = 0, stress_x = 0, stress_y = 0, stress_z = 0;
+#pragma omp simd reduction(+ : fraction, flow, stress_x, stress_y, stress_z)
+  for (int i = 0; i < nx; ++i) {
+    const Real f = phi(i, j, k);
+    fraction += f;
+    flow += (1 - (f + phi(i - 1, j, k)) / 2) * u(i, j, k);
+    stress_x += f * xx(i, j, k);
+    stress_y += f * yy(i, j, k);
+    stress_z += f * zz(i, j, k);
+  }
+  sums(kPhi, j) += fraction;
+  sums(kFluidU, j) += flow;
+  sums(kElasticXx, j) += G * stress_x;
+  sums(kElasticYy, j) += G * stress_y;
+  sums(kElasticZz, j) += G * stress_z;
+}
+
+void add_solid_face_line(const time::State& s, const Grid& g, double G, int j, int k, PlaneMeans& sums) {
+  const solid::Fraction phi{s.material.phi.view(), g.upper_share.data()};
+  const auto xy = s.material.B.xy.view();
+  double stress = 0;
+#pragma omp simd reduction(+ : stress)
+  for (int i = 0; i < g.nx; ++i) stress += phi.edge_xy(i, j, k) * xy(i, j, k);
+  sums(kElasticStress, j) += G * stress;
+}
+
+/// What the momentum equation of this state reads. Below first_row it takes phi for zero.
+fluid::MomentumInput momentum_input(const time::State& s, const time::Setup& setup) {
+  const Grid& g = setup.grid;
+  const double ratio = setup.physics.solid ? setup.physics.solid->viscosity_ratio : 1;
+  return {s.velocity.x.view(),
+          s.velocity.y.view(),
+          s.velocity.z.view(),
+          s.elastic ? s.material.phi.view() : s.velocity.x.view(),
+          g.inv_dy.data(),
+          g.inv_dy_face.data(),
+          g.upper_share.data(),
+          1 / g.dx,
+          1 / g.dz,
+          setup.viscosity,
+          setup.viscosity * (ratio - 1)};
+}
+
+/// Sums over this rank's part of every plane: one sweep through the fields, line by line.
+PlaneMeans local_sums(const time::State& s, const time::Setup& setup) {
+  const Grid& g = setup.grid;
+  const auto m = momentum_input(s, setup);
+  const int solid_row = setup.solid ? setup.solid->first_row() : g.ny + 1;
+  const int variable_row = m.excess != 0 ? solid_row : g.ny + 1;
+  const double G = setup.physics.solid ? setup.physics.solid->G : 0;
+  PlaneMeans sums(s.elastic, g.ny);
+  for (int k = 0; k < g.nz; ++k) {
+    for (int j = 0; j <= g.ny; ++j) {
+      if (j < g.ny) add_center_line(s, g.nx, j, k, sums);
+      (j < variable_row ? add_face_line<false> : add_face_line<true>)(m, g.nx, j, k, sums);
+      if (j < solid_row) continue;
+      if (j < g.ny) add_solid_center_line(s, G, g.nx, j, k, sums);
+      add_solid_face_line(s, g, G, j, k, sums);
+    }
+  }
+  if (s.elastic) {  // below the band all is fluid
+    for (int j = 0; j < solid_row; ++j) sums(kFluidU, j) = sums(kU, j);
+  }
+  return sums;
+}
+
+}  // namespace
+
+std::span<const ProfileKind> profile_kinds(bool elastic) {
+  return std::span(kKinds).first(elastic ? std::size_t(kProfileCount) : std::size_t(kPhi));
+}
+
+PlaneMeans plane_means(const time::State& s, const time::Setup& setup) {
+  const Grid& g = setup.grid;
+  PlaneMeans means = local_sums(s, setup);
+  parallel::sum(setup.decomposition.all(), means.values());
+  const double columns = double(g.nx_global) * g.nz_global;
+  for (double& value : means.values()) value /= columns;
+  for (int j = 0; j < g.ny; ++j) {
+    means(kV, j) = (means(kVFace, j) + means(kVFace, j + 1)) / 2;
+    means(kVv, j) = (means(kVvFace, j) + means(kVvFace, j + 1)) / 2;
+  }
+  return means;
+}
+
+}  // namespace softwall::statistics

@@ -1,0 +1,70 @@
+#include "solver/statistics/solid_health.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "solver/grid/cell_loop.hpp"
+#include "solver/parallel/reduce.hpp"
+#include "solver/solid/limiter.hpp"
+#include "solver/statistics/interface_height.hpp"
+
+namespace softwall::statistics {
+
+namespace {
+
+using solid::Material;
+
+/// Smallest eigenvalue and largest |det - 1| found so far.
+struct Extremes {
+  double min_eigenvalue = std::numeric_limits<double>::infinity();
+  double max_det_error = 0;
+};
+
+/// One cell. The eigenvalue is computed only when Sylvester's criterion says that it beats the smallest so
+/// far: a few products instead of a cubic equation for nearly all cells.
+void visit(const solid::SymmetricTensor& B, bool counts, Extremes& extremes) {
+  if (counts) extremes.max_det_error = std::max(extremes.max_det_error, std::abs(B.determinant() - 1));
+  if (B.shifted(-extremes.min_eigenvalue).positive_definite()) return;
+  extremes.min_eigenvalue = std::min(extremes.min_eigenvalue, solid::min_eigenvalue(B));
+}
+
+Extremes extremes_of(const Material& m, const grid::Box& box, double threshold) {
+  const auto phi = m.phi.view();
+  Extremes extremes;
+  for (int k = box.k0; k < box.k1; ++k) {
+    for (int j = box.j0; j < box.j1; ++j) {
+      for (int i = box.i0; i < box.i1; ++i) {
+        visit(solid::tensor_at_center(m.B, i, j, k), phi(i, j, k) >= threshold, extremes);
+      }
+    }
+  }
+  return extremes;
+}
+
+/// All rows, also those below the band: what little phi may be left there belongs to the sum.
+double volume_of(const grid::Field& field, const grid::Grid& g,
+                 const parallel::Decomposition& decomposition) {
+  const auto phi = field.view();
+  const double* dy = g.dy.data();
+  const double area = g.dx * g.dz;
+  const double here =
+      grid::sum_cells(grid::all_cells(g), [=](int i, int j, int k) { return phi(i, j, k) * dy[j]; });
+  return area * parallel::sum(decomposition.all(), here);
+}
+
+}  // namespace
+
+SolidHealth solid_health(const time::State& state, const time::Setup& setup) {
+  if (!setup.solid) return {};
+  const auto& g = setup.grid;
+  const auto& all = setup.decomposition.all();
+  const Material& m = state.material;
+  const Extremes here =
+      extremes_of(m, grid::rows(g, setup.solid->first_row(), g.ny), setup.physics.solid->threshold);
+  return {parallel::minimum(all, here.min_eigenvalue), parallel::maximum(all, here.max_det_error),
+          interface_width(m.phi, g, setup.decomposition), volume_of(m.phi, g, setup.decomposition)};
+}
+
+}  // namespace softwall::statistics

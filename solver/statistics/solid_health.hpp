@@ -1,0 +1,20 @@
+#pragma once
+
+#include "solver/time/setup.hpp"
+#include "solver/time/state.hpp"
+
+namespace softwall::statistics {
+
+/// Signs of a solid that is well resolved, or not.
+struct SolidHealth {
+  double min_eigenvalue = 1;         ///< smallest eigenvalue of B at any center of the rows that hold solid
+  double max_det_error = 0;          ///< max |det B - 1| over centers with phi >= the case's threshold
+  double interface_width_cells = 0;  ///< 10-90 % width of phi in rows, mean over columns; a sharp step: 0.8
+  double solid_volume = 0;           ///< sum of phi dV over the box, h^3; constant to round-off
+};
+
+/// Health of the solid, the same on all ranks. Collective; ghost cells of B filled (after time::start or a
+/// step). A rigid channel has no solid and gets the values above.
+[[nodiscard]] SolidHealth solid_health(const time::State& state, const time::Setup& setup);
+
+}  // namespace softwall::statistics

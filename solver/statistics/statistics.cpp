@@ -1,0 +1,115 @@
+#include "solver/statistics/statistics.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "solver/statistics/profiles.hpp"
+#include "solver/statistics/series.hpp"
+
+namespace softwall::statistics {
+
+namespace {
+
+bool elastic(const time::Setup& setup) { return setup.solid.has_value(); }
+
+Blocks empty_blocks(const time::Setup& setup) {
+  std::vector<Combine> combines;
+  for (const auto& kind : series_kinds(elastic(setup))) combines.push_back(kind.combine);
+  const PlaneMeans means(elastic(setup), setup.grid.ny);
+  const auto& spec = setup.physics.statistics;
+  return {{spec.start_time, spec.block_length}, means.values().size(), std::move(combines)};
+}
+
+analysis::BlockStatistics frame(const time::Setup& setup) {
+  const auto& g = setup.grid;
+  analysis::BlockStatistics frame;
+  frame.reynolds = setup.physics.reynolds;
+  frame.elastic = elastic(setup);
+  frame.interface_y = g.y_face[g.ny_fluid];
+  for (int j = 0; j < g.ny; ++j) frame.y_center.push_back(g.y_center[j]);
+  for (int j = 0; j <= g.ny; ++j) frame.y_face.push_back(g.y_face[j]);
+  return frame;
+}
+
+template <class Kind>
+void explain(const Kind& kind, analysis::BlockStatistics& statistics) {
+  if (kind.description.empty()) return;
+  statistics.meanings[std::string(kind.name)] = {std::string(kind.unit), std::string(kind.description)};
+}
+
+void append_profiles(const Block& block, analysis::BlockStatistics& to) {
+  const std::size_t rows = to.y_face.size();
+  std::size_t first = 0;
+  for (const auto& kind : profile_kinds(to.elastic)) {
+    auto& profile = to.profiles[std::string(kind.name)];
+    profile.location = kind.location;
+    for (std::size_t j = 0; j < to.points(kind.location); ++j) {
+      profile.values.push_back(block.profiles[first + j] / block.sampled);
+    }
+    first += rows;
+    explain(kind, to);
+  }
+}
+
+void append_series(const Blocks& blocks, const Block& block, analysis::BlockStatistics& to) {
+  to.series["driving_gradient"].push_back(block.driven / block.stepped);
+  std::size_t s = 0;
+  for (const auto& kind : series_kinds(to.elastic)) {
+    to.series[std::string(kind.name)].push_back(blocks.series_value(block, s++));
+    explain(kind, to);
+  }
+}
+
+}  // namespace
+
+Statistics::Statistics(const time::Setup& setup) : setup_(setup), blocks_(empty_blocks(setup)) {}
+
+void Statistics::sample_step(const time::State& s, double dt) {
+  const auto& spec = setup_.physics.statistics;
+  const double begin = std::max(s.time - dt, spec.start_time), duration = s.time - begin;
+  if (!(duration > 0)) return;
+  if (!started_) {
+    started_ = true;
+    last_sample_ = begin;
+  }
+  blocks_.add_step(s.time, duration, s.driving_gradient);
+  if (s.step % spec.interval_steps != 0) return;
+  sample_fields(s, s.time - last_sample_);
+  last_sample_ = s.time;
+}
+
+void Statistics::sample_fields(const time::State& s, double weight) {
+  const PlaneMeans means = plane_means(s, setup_);
+  blocks_.add_sample(s.time, weight, means.values(), series_sample(s, setup_, means));
+}
+
+std::vector<double> Statistics::pack() const {
+  std::vector<double> packed = blocks_.pack();
+  packed.push_back(started_ ? 1.0 : 0.0);
+  packed.push_back(last_sample_);
+  return packed;
+}
+
+void Statistics::unpack(std::span<const double> packed) {
+  constexpr std::size_t kOwn = 2;
+  const std::size_t of_blocks = packed.size() - std::min(packed.size(), kOwn);
+  blocks_.unpack(packed.first(of_blocks));
+  started_ = packed[of_blocks] != 0;
+  last_sample_ = packed[of_blocks + 1];
+}
+
+analysis::BlockStatistics Statistics::blocks() const {
+  auto result = frame(setup_);
+  const auto& schedule = blocks_.schedule();
+  for (const Block& block : blocks_.all()) {
+    if (!(block.sampled > 0)) continue;  // steps, but no sample yet
+    result.start.push_back(schedule.start + double(block.index) * schedule.length);
+    result.end.push_back(schedule.start + double(block.index + 1) * schedule.length);
+    result.weight.push_back(block.sampled);
+    append_profiles(block, result);
+    append_series(blocks_, block, result);
+  }
+  return result;
+}
+
+}  // namespace softwall::statistics

@@ -1,0 +1,32 @@
+#include "solver/stop_request.hpp"
+
+#include <csignal>
+#include <initializer_list>
+
+namespace softwall {
+
+namespace {
+
+// A signal handler can reach nothing but a static flag.
+volatile std::sig_atomic_t received = 0;
+
+extern "C" void remember(int signal) { received = signal; }
+
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  ::sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+void install_signal_handlers() {
+  for (const int signal : {SIGUSR1, SIGTERM, SIGINT}) handle(signal, remember);
+  for (const int signal : {SIGPIPE, SIGXFSZ}) handle(signal, SIG_IGN);
+}
+
+int stop_signal() { return received; }
+
+}  // namespace softwall

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include "solver/case/case.hpp"
+#include "solver/fluid/predictor.hpp"
+#include "solver/fluid/walls.hpp"
+#include "solver/grid/halo.hpp"
+#include "solver/pressure/projection.hpp"
+#include "solver/solid/solid.hpp"
+#include "solver/time/state.hpp"
+
+namespace softwall::time {
+
+/// What a case and a number of ranks determine: grid, plans, work arrays. Holds nothing that a restart would
+/// miss. Members refer to each other, so it neither moves nor copies.
+class Setup {
+ public:
+  Setup(const Physics& physics, MPI_Comm comm);
+  Setup(const Setup&) = delete;
+  Setup& operator=(const Setup&) = delete;
+
+  const Physics physics;
+  const parallel::Decomposition decomposition;
+  const grid::Grid grid;
+  const double viscosity;  ///< 1 / Re
+  fluid::Walls walls;
+  std::optional<double> bulk_velocity = 1.0;  ///< held by the driving gradient; empty: no driving
+  grid::Halo halo;
+  fluid::Predictor predictor;
+  pressure::Projection projection;
+  std::optional<solid::Solid> solid;
+};
+
+}  // namespace softwall::time

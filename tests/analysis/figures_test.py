@@ -1,0 +1,101 @@
+"""Every figure script draws a campaign and explains itself on a folder without one.
+
+figures_test.py WRITER ROOT: WRITER is the program analysis_sample_campaign, ROOT the source folder.
+Exit 77 (skipped) where h5py or matplotlib is not installed.
+"""
+
+import importlib.util
+import json
+import pathlib
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import unittest
+
+WRITER, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
+SCRIPTS = sorted((ROOT / "analysis").glob("plot_*.py"))
+
+
+def make_campaign(folder):
+    """Real statistics files from WRITER and a real store, made by the project's own SQL."""
+    lines = subprocess.run([WRITER, folder], check=True, capture_output=True, text=True).stdout.splitlines()
+    store = sqlite3.connect(pathlib.Path(folder) / "results.db")
+    store.executescript((ROOT / "schemas" / "results.sql").read_text())
+    for case_id, line in enumerate(map(json.loads, lines)):
+        solid = line["physics"].get("solid", {})
+        store.execute(
+            "INSERT INTO cases (case_id, label, directory, is_precursor, flow, G, viscosity_ratio, reynolds, grid, "
+            "cells, end_time, ranks, physics, run, state_since, created) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?, 2800, '', 1, 148, 1, '{}', '{}', '', '')",
+            (str(case_id), line["directory"], line["directory"], not solid, line["physics"]["flow"],
+             solid.get("G"), solid.get("viscosity_ratio")))
+        for name, (value, ci95) in line["quantities"].items():
+            store.execute("INSERT INTO quantities VALUES (?, ?, ?, ?, 100, 148, 24, ?, 1, '', '')",
+                          (str(case_id), name, value, ci95, line["note"]))
+    store.commit()
+    store.close()
+
+
+def draw(script, *arguments):
+    return subprocess.run([sys.executable, "-W", "error::UserWarning", script, *map(str, arguments)],
+                          capture_output=True, text=True)
+
+
+class Figures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.campaign = pathlib.Path(cls.scratch.name) / "campaign"
+        cls.campaign.mkdir()
+        make_campaign(cls.campaign)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def test_there_are_scripts(self):
+        self.assertGreaterEqual(len(SCRIPTS), 5)
+
+    def test_every_script_draws(self):
+        for script in SCRIPTS:
+            with self.subTest(script.name):
+                output = pathlib.Path(self.scratch.name) / (script.stem + ".png")
+                done = draw(script, self.campaign, "-o", output)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(done.stderr, "")
+                self.assertEqual(output.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+                self.assertGreater(output.stat().st_size, 20000)
+
+    def test_damaged_case_is_left_out_by_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            make_campaign(folder)
+            victim = pathlib.Path(folder) / "cases" / "G=1_mu=1" / "statistics.h5"
+            victim.write_bytes(b"damaged")
+            done = draw(SCRIPTS[0], folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("left out", done.stderr)
+            self.assertIn("G=1_mu=1", done.stderr)
+
+    def test_empty_folder_is_explained(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for script in SCRIPTS:
+                with self.subTest(script.name):
+                    done = draw(script, folder)
+                    self.assertEqual(done.returncode, 1)
+                    self.assertIn("has statistics yet", done.stderr)
+                    self.assertNotIn("Traceback", done.stderr)
+
+    def test_log_law_refuses_an_unknown_case(self):
+        script = ROOT / "analysis" / "plot_log_law.py"
+        done = draw(script, self.campaign, "--case", "nonsense")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("G=1_mu=10", done.stderr)
+
+
+if __name__ == "__main__":
+    missing = [name for name in ("h5py", "matplotlib") if importlib.util.find_spec(name) is None]
+    if missing:
+        print("skipped: no", ", ".join(missing))
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,65 @@
+#include "campaign/estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/campaign/core/examples.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+Case elastic_case(double G = 1.0, double viscosity_ratio = 1.0) {
+  Case c = tests::campaign_of(tests::elastic_campaign()).cases.back().definition;
+  c.physics.solid->G = G;
+  c.physics.solid->viscosity_ratio = viscosity_ratio;
+  return c;
+}
+
+TEST(Estimate, LimitsFollowTheirFormulas) {
+  const Case c = elastic_case();  // 48 x (64 + 16) x 48 in 6 x 2.5 x 3, safety 0.7
+  const double dx = 6.0 / 48, dy = 1.0 / 32, dz = 3.0 / 48;
+  const StepLimits limits = step_limits(c.physics);
+  EXPECT_NEAR(limits.advection, 0.7 * 1.2 / (1.3 / dx + 0.2 / dy + 0.2 / dz), 1e-12);
+  EXPECT_NEAR(limits.elastic, 0.7 * 0.43 * dy / std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(limits.viscosity, 0.7 * 2.51 * 2800 / (4 * (1 / (dx * dx) + 1 / (dy * dy) + 1 / (dz * dz))),
+              1e-9);
+  EXPECT_EQ(limits.smallest(), limits.elastic);
+}
+
+TEST(Estimate, StifferOrMoreViscousLayersCostMore) {
+  EXPECT_NEAR(step_limits(elastic_case(4.0).physics).elastic,
+              step_limits(elastic_case(1.0).physics).elastic / 2, 1e-12);
+  EXPECT_NEAR(step_limits(elastic_case(1, 10).physics).viscosity,
+              step_limits(elastic_case().physics).viscosity / 10, 1e-9);
+  EXPECT_EQ(step_limits(elastic_case(1, 0.1).physics).viscosity,
+            step_limits(elastic_case().physics).viscosity);
+}
+
+TEST(Estimate, RigidChannelsHaveNoElasticLimit) {
+  const Case rigid = tests::campaign_of(tests::elastic_campaign()).cases.front().definition;
+  EXPECT_TRUE(std::isinf(step_limits(rigid.physics).elastic));
+  EXPECT_TRUE(std::isfinite(step_limits(rigid.physics).smallest()));
+}
+
+TEST(Estimate, CostIsStepsTimesCellsTimesSpeed) {
+  Case c = elastic_case();
+  c.physics.time_step.fixed_dt = 0.01;
+  const Estimate whole = estimate(c, 500.0);
+  EXPECT_EQ(whole.dt, 0.01);
+  EXPECT_EQ(whole.steps, 5000.0);
+  EXPECT_EQ(whole.cells, 48.0 * 80 * 48);
+  EXPECT_NEAR(whole.core_hours, 5000.0 * 48 * 80 * 48 * 500e-9 / 3600, 1e-12);
+  EXPECT_NEAR(estimate(c, 500.0, 25.0).core_hours, whole.core_hours / 2, 1e-9);
+  EXPECT_EQ(estimate(c, 500.0, 60.0).core_hours, 0.0);
+}
+
+TEST(Estimate, SpeedsAssumedArePlausible) {
+  for (const FlowType flow : {FlowType::kRigidChannel, FlowType::kElasticWall}) {
+    EXPECT_GT(default_ns_per_cell_step(flow), 10.0);
+    EXPECT_LT(default_ns_per_cell_step(flow), 10000.0);
+  }
+}
+
+}  // namespace
+}  // namespace softwall::campaign

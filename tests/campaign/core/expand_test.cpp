@@ -1,0 +1,191 @@
+#include "campaign/expand.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "solver/case/case_id.hpp"
+#include "tests/campaign/core/examples.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+using nlohmann::json;
+using tests::campaign_of;
+using tests::complaint_about;
+using tests::elastic_campaign;
+
+std::string labels(const Campaign& campaign) {
+  std::string text;
+  for (const auto& c : campaign.cases) text += (text.empty() ? "" : " ") + c.definition.label;
+  return text;
+}
+
+TEST(Expand, PrecursorFirstThenEveryPoint) {
+  const Campaign campaign = campaign_of(elastic_campaign());
+  EXPECT_EQ(labels(campaign), "precursor G=1_mu=0.1 G=1_mu=1 G=2_mu=0.1 G=2_mu=1");
+  const CampaignCase& precursor = campaign.cases.front();
+  EXPECT_TRUE(precursor.is_precursor);
+  EXPECT_EQ(precursor.precursor_id, "");
+  EXPECT_EQ(precursor.definition.physics.flow, FlowType::kRigidChannel);
+  EXPECT_FALSE(precursor.definition.physics.solid);
+  EXPECT_EQ(precursor.definition.physics.grid.nx, 32);  // its own
+  EXPECT_EQ(precursor.definition.physics.grid.nz, 48);  // the common one
+  EXPECT_EQ(precursor.definition.physics.grid.ny_solid, 0);
+  EXPECT_EQ(precursor.definition.physics.time_step.safety, 0.7);
+  EXPECT_EQ(precursor.definition.physics.statistics.start_time, 50.0);
+  EXPECT_EQ(precursor.definition.run.end_time, 100.0);
+  EXPECT_EQ(precursor.definition.run.checkpoint_steps, 10);  // the common one
+  for (std::size_t i = 1; i < campaign.cases.size(); ++i) {
+    const CampaignCase& c = campaign.cases[i];
+    EXPECT_FALSE(c.is_precursor);
+    EXPECT_EQ(c.precursor_id, precursor.definition.id);
+    EXPECT_EQ(c.definition.physics.flow, FlowType::kElasticWall);
+    EXPECT_EQ(c.definition.physics.grid.nx, 48);
+    EXPECT_EQ(c.definition.physics.initial.type, InitialType::kPrecursor);
+    EXPECT_EQ(c.definition.physics.initial.precursor, precursor.definition.id);
+    EXPECT_EQ(c.definition.physics.initial.precursor_time, 100.0);
+    EXPECT_EQ(c.definition.physics.statistics.start_time, 0.0);
+    EXPECT_EQ(c.definition.run.end_time, 50.0);
+  }
+  EXPECT_EQ(campaign.cases[3].definition.physics.solid->G, 2.0);
+  EXPECT_EQ(campaign.cases[3].definition.physics.solid->viscosity_ratio, 0.1);
+}
+
+TEST(Expand, IdsAreThoseOfTheWrittenCases) {
+  std::set<std::string> ids, directories;
+  for (const auto& c : campaign_of(elastic_campaign()).cases) {
+    EXPECT_EQ(parse_case(to_json(c.definition).dump()).id, c.definition.id);
+    EXPECT_EQ(c.directory, "cases/" + c.definition.label + "-" + c.definition.id.substr(0, 8));
+    ids.insert(c.definition.id);
+    directories.insert(c.directory);
+  }
+  EXPECT_EQ(ids.size(), 5U);
+  EXPECT_EQ(directories.size(), 5U);
+}
+
+TEST(Expand, EqualCasesAreOne) {
+  json document = elastic_campaign();
+  document["sweep"] = json::parse(
+      R"({"grid": {"G": [1, 1.0, 2]}, "list": [{"G": 1, "viscosity_ratio": 1}, {"solid.G": 2}]})");
+  EXPECT_EQ(labels(campaign_of(document)), "precursor G=1_mu=1 G=2_mu=1");
+}
+
+TEST(Expand, ExclusionsApplyToDefaultsToo) {
+  json document = elastic_campaign();
+  document["sweep"] = json::parse(
+      R"({"list": [{"G": 1}, {"G": 2}, {"G": 2, "viscosity_ratio": 3}], "exclude": [{"G": 2, "viscosity_ratio": 1}]})");
+  EXPECT_EQ(labels(campaign_of(document)), "precursor G=1_mu=1 G=2_mu=3");
+  document["sweep"]["exclude"] = json::parse(R"([{"reynolds": 2800}])");
+  EXPECT_NE(complaint_about(document).find("excludes every case"), std::string::npos);
+}
+
+TEST(Expand, ThePointWinsOverTheCommonValue) {
+  json document = elastic_campaign();
+  document["physics"]["solid"] = {{"G", 9}, {"viscosity_ratio", 7}};
+  document["sweep"] = json::parse(R"({"grid": {"G": [1]}})");
+  const Case made = campaign_of(document).cases.back().definition;
+  EXPECT_EQ(made.physics.solid->G, 1.0);
+  EXPECT_EQ(made.physics.solid->viscosity_ratio, 7.0);
+}
+
+TEST(Expand, APrecursorPerFluid) {
+  json document = elastic_campaign();
+  document["sweep"]["grid"] = {
+      {"reynolds", {2800, 3000}}, {"G", {1, 2}}, {"threshold", {0.8, 0.9}}, {"safety", {0.6, 0.7}}};
+  const Campaign campaign = campaign_of(document);
+  EXPECT_EQ(campaign.cases.size(), 2U + 16U);
+  EXPECT_EQ(campaign.cases[0].definition.label, "precursor_reynolds=2800");
+  EXPECT_EQ(campaign.cases[1].definition.label, "precursor_reynolds=3000");
+  EXPECT_TRUE(campaign.cases[1].is_precursor);
+  for (std::size_t i = 2; i < campaign.cases.size(); ++i) {
+    const bool second = campaign.cases[i].definition.physics.reynolds == 3000.0;
+    EXPECT_EQ(campaign.cases[i].precursor_id, campaign.cases[second ? 1 : 0].definition.id);
+  }
+}
+
+TEST(Expand, AGridStudyMayShareOnePrecursor) {
+  json document = elastic_campaign();
+  document["physics"]["solid"] = {{"G", 1}};
+  document["precursor"]["grid"] = {{"nx", 32}, {"nz", 24}};
+  document["sweep"]["grid"] = {{"nx", {32, 64}}, {"nz", {24, 48}}};
+  EXPECT_EQ(campaign_of(document).cases.size(), 1U + 4U);
+  document["precursor"].erase("grid");
+  EXPECT_EQ(campaign_of(document).cases.size(), 4U + 4U);
+}
+
+/// Moving the layer's thickness or its cells changes no precursor.
+TEST(Expand, TheLayerIsNoneOfThePrecursorsBusiness) {
+  json document = elastic_campaign();
+  const std::string id = campaign_of(document).cases.front().definition.id;
+  document["physics"]["domain"]["layer_height"] = 0.25;
+  document["physics"]["grid"]["ny_solid"] = 8;
+  document["physics"]["solid"]["weno"] = "js";
+  EXPECT_EQ(campaign_of(document).cases.front().definition.id, id);
+  document["precursor"]["run"]["end_time"] = 120;
+  const Campaign longer = campaign_of(document);
+  EXPECT_EQ(longer.cases.front().definition.id, id);
+  EXPECT_EQ(longer.cases.back().definition.physics.initial.precursor_time, 120.0);
+}
+
+TEST(Expand, WithoutAPrecursorCasesStartByThemselves) {
+  json document = elastic_campaign();
+  document.erase("precursor");
+  document["physics"]["initial"] = {{"seed", 5}};
+  const Campaign campaign = campaign_of(document);
+  EXPECT_EQ(campaign.cases.size(), 4U);
+  EXPECT_EQ(campaign.cases[0].precursor_id, "");
+  EXPECT_EQ(campaign.cases[0].definition.physics.initial.type, InitialType::kPerturbedLaminar);
+  EXPECT_EQ(campaign.cases[0].definition.physics.initial.seed, 5U);
+}
+
+TEST(Expand, RigidChannelsCanBeSwept) {
+  json document = json::parse(
+      R"({"format": 1, "name": "rigid", "run": {"end_time": 5}, "physics": {"flow": "rigid_channel",
+      "grid": {"nx": 8, "ny_fluid": 8, "nz": 8}}, "sweep": {"grid": {"reynolds": [100, 200]}}})");
+  EXPECT_EQ(labels(campaign_of(document)), "reynolds=100 reynolds=200");
+  document.erase("sweep");
+  EXPECT_EQ(labels(campaign_of(document)), "rigid_channel");
+}
+
+TEST(Expand, RanksComeFromExecution) {
+  json document = elastic_campaign();
+  document["execution"] = {{"ranks", 2}, {"precursor_ranks", 4}};
+  const Campaign campaign = campaign_of(document);
+  EXPECT_EQ(campaign.cases.front().ranks, 4);
+  EXPECT_EQ(campaign.cases.back().ranks, 2);
+}
+
+TEST(Expand, CommonMistakesAreToldOnce) {
+  json document = elastic_campaign();
+  document["physics"]["grid"]["ny_solid"] = 17;
+  const std::string message = complaint_about(document);
+  EXPECT_EQ(message.find("/physics/grid/ny_solid"), message.rfind("/physics/grid/ny_solid")) << message;
+  EXPECT_EQ(message.find("(case"), std::string::npos) << message;
+}
+
+TEST(Expand, MistakesOfSomeCasesNameThem) {
+  json document = elastic_campaign();
+  document["sweep"]["grid"]["G"] = {1, 0, "soft"};
+  document["precursor"]["time_step"] = {{"fixed_dt", -1}};
+  const std::string first = complaint_about(document);
+  EXPECT_NE(first.find("/precursor/time_step/fixed_dt: -1"), std::string::npos) << first;
+  document["precursor"].erase("time_step");
+  const std::string message = complaint_about(document);
+  EXPECT_NE(message.find("/physics/solid/G: 0; must be a number greater than 0 (case G=0_mu=0.1, G=0_mu=1)"),
+            std::string::npos)
+      << message;
+  EXPECT_NE(message.find("/physics/solid/G: \"soft\""), std::string::npos) << message;
+}
+
+TEST(Expand, ManyCasesTakeLittleTime) {
+  json document = elastic_campaign();
+  for (int i = 0; i < 100; ++i) {
+    document["sweep"]["grid"]["G"][static_cast<std::size_t>(i)] = 1 + i;
+    document["sweep"]["grid"]["viscosity_ratio"][static_cast<std::size_t>(i)] = 1 + i;
+  }
+  EXPECT_EQ(campaign_of(document).cases.size(), 10001U);
+}
+
+}  // namespace
+}  // namespace softwall::campaign

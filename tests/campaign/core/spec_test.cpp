@@ -1,0 +1,112 @@
+#include "campaign/spec.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "solver/case/case_schema.hpp"
+#include "tests/campaign/core/examples.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+using nlohmann::json;
+using tests::complaint_about;
+using tests::elastic_campaign;
+using tests::spec_of;
+
+TEST(Spec, FillsWhatIsItsOwn) {
+  const CampaignSpec spec = spec_of(elastic_campaign());
+  EXPECT_EQ(spec.name, "walls");
+  EXPECT_EQ(spec.description, "");
+  EXPECT_EQ(spec.execution.launcher, "local");
+  EXPECT_EQ(spec.execution.ranks, 1);
+  EXPECT_EQ(spec.execution.precursor_ranks, 1);
+  EXPECT_EQ(spec.execution.cores, 0);
+  EXPECT_FALSE(spec.execution.walltime_seconds);
+  EXPECT_EQ(spec.execution.max_failures_without_progress, 2);
+  EXPECT_EQ(spec.text, elastic_campaign().dump());
+}
+
+TEST(Spec, PrecursorRanksFollowRanks) {
+  json document = elastic_campaign();
+  document["execution"] = {{"ranks", 4}, {"walltime_seconds", 60}};
+  EXPECT_EQ(spec_of(document).execution.precursor_ranks, 4);
+  EXPECT_EQ(spec_of(document).execution.walltime_seconds, 60.0);
+  document["execution"]["precursor_ranks"] = 2;
+  EXPECT_EQ(spec_of(document).execution.precursor_ranks, 2);
+}
+
+TEST(Spec, TellsMistakesOfAllKindsAtOnce) {
+  json document = elastic_campaign();
+  document["execution"] = {{"corse", 2}, {"ranks", 0}};
+  document["physics"]["grid"]["ny_solid"] = 17;  // only the cases show this one
+  document["sweep"]["grid"]["G"] = {1, -1};      // and this one
+  document["desciption"] = "x";
+  const std::string message = complaint_about(document);
+  for (const char* part : {"/execution/corse: unknown key; did you mean \"cores\"?", "/execution/ranks: 0",
+                           "/physics/grid/ny_solid: 17", "ny_solid must be 16", "/physics/solid/G: -1",
+                           "/desciption: unknown key; did you mean \"description\"?"})
+    EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
+}
+
+TEST(Spec, CoresMustHoldTheRanks) {
+  json document = elastic_campaign();
+  document["execution"] = {{"ranks", 2}, {"precursor_ranks", 8}, {"cores", 4}};
+  const std::string message = complaint_about(document);
+  EXPECT_NE(message.find("/execution/precursor_ranks: 8; at most the 4 cores"), std::string::npos) << message;
+  EXPECT_EQ(message.find("/execution/ranks"), std::string::npos) << message;
+}
+
+TEST(Spec, OnlyElasticWallsHaveAPrecursor) {
+  json document = elastic_campaign();
+  document["physics"]["flow"] = "rigid_channel";
+  EXPECT_NE(complaint_about(document).find("/precursor: given"), std::string::npos);
+}
+
+/// The campaign's schema must know every parameter of a case that a person sets.
+TEST(Spec, SchemaCoversTheCase) {
+  const json& physics = *case_schema().part(json::json_pointer("/physics"));
+  for (const auto& [group, node] : physics.at("properties").items()) {
+    const json::json_pointer here("/physics/" + group);
+    ASSERT_NE(campaign_schema().part(here), nullptr) << group;
+    if (!node.contains("properties") || group == "initial") continue;
+    for (const auto& [key, child] : node.at("properties").items()) {
+      const json* ours = campaign_schema().part(here / key);
+      ASSERT_NE(ours, nullptr) << group << "/" << key;
+      EXPECT_EQ(*ours, child) << group << "/" << key;
+    }
+  }
+  for (const auto& [key, child] : case_schema().part(json::json_pointer("/run"))->at("properties").items()) {
+    if (key == "initial_checkpoint") continue;  // the manager's own
+    for (const char* place : {"/run/", "/precursor/run/"}) {
+      const json* ours = campaign_schema().part(json::json_pointer(place + key));
+      ASSERT_NE(ours, nullptr) << place << key;
+      EXPECT_EQ(*ours, child) << place << key;
+    }
+  }
+}
+
+TEST(Spec, DamagedTextGivesOneMessage) {
+  const std::string text = elastic_campaign().dump();
+  std::mt19937 random(7);
+  for (int i = 0; i < 2000; ++i) {
+    std::string damaged = text;
+    for (unsigned edits = 1 + random() % 4; edits > 0; --edits) {
+      const std::size_t at = random() % damaged.size(), from = random() % text.size();
+      if (random() % 2 == 0)
+        damaged.replace(at, random() % 4, text.substr(from, random() % 12));
+      else
+        damaged[at] = static_cast<char>(random() % 256);
+      if (damaged.empty()) damaged = "x";
+    }
+    try {
+      EXPECT_FALSE(expand(parse_campaign(damaged)).cases.empty());
+    } catch (const BadInput& error) {
+      EXPECT_FALSE(error.mistakes.empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace softwall::campaign

@@ -1,0 +1,102 @@
+#include "campaign/campaign_lock.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "campaign/process_identity.hpp"
+#include "solver/case/build_info.hpp"
+#include "tests/campaign/runner/child_process.hpp"
+#include "tests/campaign/runner/temporary_folder.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+/// A child that takes the lock, tells so through a pipe, and keeps it.
+class Holder {
+ public:
+  explicit Holder(const std::filesystem::path& folder)
+      : ends_(make_pipe()), child_([this, folder] {
+          const CampaignLock lock(folder);
+          if (write(ends_[1], "x", 1) != 1) return 1;
+          while (true) pause();
+        }) {
+    char ready = 0;
+    EXPECT_EQ(read(ends_[0], &ready, 1), 1);
+  }
+  ~Holder() {
+    close(ends_[0]);
+    close(ends_[1]);
+  }
+  test::ChildProcess& process() { return child_; }
+
+ private:
+  static std::array<int, 2> make_pipe() {
+    std::array<int, 2> ends{};
+    EXPECT_EQ(pipe(ends.data()), 0);
+    return ends;
+  }
+  std::array<int, 2> ends_;
+  test::ChildProcess child_;
+};
+
+TEST(CampaignLock, ASecondRunnerIsToldWhoHoldsIt) {
+  const test::TemporaryFolder folder;
+  Holder holder(folder.path());
+  try {
+    const CampaignLock second(folder.path());
+    FAIL() << "two runners hold one campaign";
+  } catch (const CampaignOwned& owned) {
+    const std::string message = owned.what();
+    EXPECT_NE(message.find(std::to_string(holder.process().pid())), std::string::npos) << message;
+    EXPECT_NE(message.find(host_name()), std::string::npos) << message;
+  }
+  EXPECT_TRUE(living_owner(folder.path()).has_value());
+}
+
+TEST(CampaignLock, DiesWithItsHolder) {
+  const test::TemporaryFolder folder;
+  Holder holder(folder.path());
+  holder.process().send(SIGKILL);
+  holder.process().wait();
+  EXPECT_FALSE(living_owner(folder.path()).has_value());
+  EXPECT_NO_THROW(CampaignLock{folder.path()});
+}
+
+TEST(CampaignLock, AStaleOrDamagedRecordDoesNotMatter) {
+  const test::TemporaryFolder folder;
+  ProcessIdentity init = this_process();
+  init.pid = 1;  // alive, but not with that start time: a number used again
+  folder.write("campaign.lock", nlohmann::json{{"process", init}, {"since", "long ago"}}.dump());
+  EXPECT_FALSE(living_owner(folder.path()).has_value());
+  EXPECT_NO_THROW(CampaignLock{folder.path()});
+  folder.write("campaign.lock", "\x01\x02 not json");
+  EXPECT_FALSE(living_owner(folder.path()).has_value());
+  EXPECT_NO_THROW(CampaignLock{folder.path()});
+}
+
+TEST(CampaignLock, IsNotKeptByAProgramTheHolderStarted) {
+  const test::TemporaryFolder folder;
+  std::optional<CampaignLock> lock;
+  lock.emplace(folder.path());
+  test::ChildProcess solver([] {
+    execl("/bin/sleep", "sleep", "60", nullptr);
+    return 127;
+  });
+  // exec closes what must not be inherited; wait until it has happened
+  const std::string link = "/proc/" + std::to_string(solver.pid()) + "/exe";
+  for (int i = 0; i < 200 && std::filesystem::read_symlink(link).filename() == "test_campaign_runner"; ++i) {
+    usleep(10000);
+  }
+  lock.reset();
+  EXPECT_NO_THROW(CampaignLock{folder.path()});
+}
+
+TEST(CampaignLock, SaysWhenTheFolderCannotBeWritten) {
+  EXPECT_THROW(CampaignLock("/proc/no-such-folder"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace softwall::campaign

@@ -1,0 +1,291 @@
+#include "campaign/runner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "analysis/statistics_file.hpp"
+#include "campaign/observe.hpp"
+#include "solver/case/exit_codes.hpp"
+#include "tests/analysis/samples.hpp"
+#include "tests/campaign/core/examples.hpp"
+#include "tests/campaign/runner/fake_launcher.hpp"
+#include "tests/campaign/runner/run_directory_files.hpp"
+#include "tests/campaign/runner/temporary_folder.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+using softwall::test::TemporaryFolder;
+using test::FakeLauncher;
+
+constexpr int kDone = static_cast<int>(ExitCode::kDone);
+
+/// A precursor and four elastic cases on two cores, with everything real but the processes.
+class RunnerTest : public ::testing::Test {
+ protected:
+  RunnerTest() {
+    auto document = tests::elastic_campaign();
+    document["execution"] = {{"ranks", 1}, {"precursor_ranks", 2}, {"cores", 2}};
+    campaign_ = tests::campaign_of(document);
+  }
+
+  [[nodiscard]] const CampaignCase& case_of(const std::string& id) const {
+    return *std::ranges::find_if(campaign_.cases, [&](const auto& one) { return one.definition.id == id; });
+  }
+
+  /// What a solver leaves that reaches the end.
+  int finish(const LaunchRequest& request) const {
+    const RunFiles run{request.run_directory};
+    const double end_time = case_of(request.case_id).definition.run.end_time;
+    test::write_checkpoint(run, request.case_id, 1000, end_time);
+    auto statistics = analysis::samples::elastic_statistics({}, 20);
+    statistics.case_id = request.case_id;
+    analysis::write_statistics(run.statistics(), statistics);
+    test::write_summary(run, request.case_id, request.attempt, "finished", 1000, end_time);
+    return kDone;
+  }
+
+  RunnerReport run(FakeLauncher& launcher, RunnerOptions options = {}) {
+    options.poll = std::chrono::milliseconds(1);
+    Signals signals;
+    Progress progress("");
+    Store store = Store::open(folder_.path(), OpenMode::kCreate);
+    return Runner(campaign_, folder_.path(), {launcher, store, progress, signals}, options).run();
+  }
+
+  [[nodiscard]] Store store() const { return Store::open(folder_.path(), OpenMode::kReadOnly); }
+  [[nodiscard]] const std::string& id(std::size_t i) const { return campaign_.cases.at(i).definition.id; }
+
+  TemporaryFolder folder_;
+  Campaign campaign_;
+};
+
+TEST_F(RunnerTest, RunsThePrecursorFirstThenAsManyAsFit) {
+  std::vector<std::string> order;
+  FakeLauncher launcher([&](const LaunchRequest& request) {
+    order.push_back(request.case_id);
+    return finish(request);
+  });
+  const RunnerReport report = run(launcher);
+  EXPECT_EQ(report.finished, 5U);
+  EXPECT_TRUE(report.failed.empty());
+  EXPECT_TRUE(report.unfinished.empty());
+  EXPECT_EQ(launcher.started.size(), 5U);
+  EXPECT_EQ(order.front(), id(0));
+  EXPECT_EQ(launcher.started.front().ranks, 2);
+  // every elastic case was given the precursor's last checkpoint, by a path that works from its directory
+  for (std::size_t i = 1; i < 5; ++i) {
+    const RunFiles files = run_files(folder_.path(), campaign_.cases[i]);
+    const Case written = read_case(files.case_file());
+    EXPECT_TRUE(std::filesystem::exists(files.directory / written.run.initial_checkpoint));
+    EXPECT_TRUE(written.run.initial_checkpoint.is_relative());
+    EXPECT_TRUE(store().result_origin(id(i)).has_value());
+  }
+}
+
+TEST_F(RunnerTest, NeverUsesMoreCoresThanAllowed) {
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  run(launcher);
+  EXPECT_EQ(launcher.most_ranks, 2);
+}
+
+TEST_F(RunnerTest, RunningAgainKeepsWhatIsFinished) {
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  run(launcher);
+  FakeLauncher again([](const LaunchRequest&) { return kDone; });
+  EXPECT_EQ(run(again).finished, 5U);
+  EXPECT_TRUE(again.started.empty());
+}
+
+TEST_F(RunnerTest, ExitStatusZeroWithoutARecordIsAFailureAndRetriesAreBounded) {
+  FakeLauncher launcher(
+      [&](const LaunchRequest& request) { return request.case_id == id(2) ? kDone : finish(request); });
+  const RunnerReport report = run(launcher);
+  EXPECT_EQ(report.finished, 4U) << "the others go on";
+  ASSERT_EQ(report.failed.size(), 1U);
+  EXPECT_EQ(report.failed[0].label, campaign_.cases[2].definition.label);
+  EXPECT_EQ(store().attempts(id(2)), 2);
+  EXPECT_EQ(store().find_case(id(2))->state, CaseState::kFailed);
+}
+
+TEST_F(RunnerTest, WhoeverRunsTheCampaignAgainAsksForAnotherTry) {
+  FakeLauncher broken([](const LaunchRequest&) { return 139; });
+  EXPECT_EQ(run(broken).failed.size(), 5U);
+  FakeLauncher repaired([&](const LaunchRequest& request) { return finish(request); });
+  EXPECT_EQ(run(repaired).finished, 5U);
+}
+
+TEST_F(RunnerTest, AttemptsThatGetFurtherAreNotCountedAsFailures) {
+  std::map<std::string, int> tries;
+  FakeLauncher launcher([&](const LaunchRequest& request) {
+    const int number = ++tries[request.case_id];
+    if (number == 6) return finish(request);
+    test::write_checkpoint(RunFiles{request.run_directory}, request.case_id, number * 10, number);
+    return 139;  // crashed, but with a new checkpoint each time
+  });
+  EXPECT_EQ(run(launcher).finished, 5U);
+  EXPECT_EQ(store().attempts(id(1)), 6);
+}
+
+TEST_F(RunnerTest, ADivergedCaseIsNeverRunAgain) {
+  FakeLauncher launcher([&](const LaunchRequest& request) {
+    if (request.case_id != id(1)) return finish(request);
+    test::write_summary(RunFiles{request.run_directory}, request.case_id, request.attempt, "diverged", 5,
+                        0.1);
+    return static_cast<int>(ExitCode::kDiverged);
+  });
+  EXPECT_EQ(run(launcher).failed.size(), 1U);
+  FakeLauncher again([&](const LaunchRequest& request) { return finish(request); });
+  EXPECT_EQ(run(again).failed.size(), 1U);
+  EXPECT_TRUE(again.started.empty());
+  EXPECT_EQ(store().attempts(id(1)), 1);
+}
+
+TEST_F(RunnerTest, AnElasticCaseWaitsForeverForAPrecursorThatFails) {
+  FakeLauncher launcher([](const LaunchRequest&) { return 1; });
+  const RunnerReport report = run(launcher);
+  EXPECT_EQ(report.failed.size(), 5U);
+  EXPECT_EQ(launcher.started.size(), 2U);
+}
+
+TEST_F(RunnerTest, AFullDiskPausesTheCaseButDoesNotCondemnIt) {
+  FakeLauncher launcher([&](const LaunchRequest& request) {
+    return request.case_id == id(3) ? static_cast<int>(ExitCode::kIoFailure) : finish(request);
+  });
+  const RunnerReport report = run(launcher);
+  EXPECT_EQ(report.finished, 4U);
+  ASSERT_EQ(report.unfinished.size(), 1U);
+  EXPECT_NE(report.unfinished[0].reason.find("disk full"), std::string::npos);
+  EXPECT_EQ(store().attempts(id(3)), 1);
+}
+
+TEST_F(RunnerTest, AStopRequestStartsNothingMoreAndLeavesTheRestForResume) {
+  FakeLauncher launcher([&](const LaunchRequest& request) {
+    raise(SIGTERM);  // taken by the runner's next look at its signals
+    test::write_checkpoint(RunFiles{request.run_directory}, request.case_id, 10, 1.0);
+    test::write_summary(RunFiles{request.run_directory}, request.case_id, request.attempt, "interrupted", 10,
+                        1.0);
+    return static_cast<int>(ExitCode::kInterrupted);
+  });
+  const RunnerReport stopped = run(launcher);
+  EXPECT_LE(launcher.started.size(), 2U);  // the signal is seen after the next launch at the latest
+  EXPECT_TRUE(stopped.stopped);
+  EXPECT_EQ(stopped.unfinished.size(), 5U);
+  EXPECT_TRUE(stopped.failed.empty());
+  FakeLauncher rest([&](const LaunchRequest& request) { return finish(request); });
+  EXPECT_EQ(run(rest).finished, 5U);
+}
+
+TEST_F(RunnerTest, AnInterruptedAttemptThatMadeNoStepIsNotRetriedForEver) {
+  FakeLauncher launcher([&](const LaunchRequest& request) {
+    test::write_summary(RunFiles{request.run_directory}, request.case_id, request.attempt, "interrupted", 0,
+                        0.0);
+    return static_cast<int>(ExitCode::kInterrupted);
+  });
+  EXPECT_EQ(run(launcher).failed.size(), 5U);
+}
+
+TEST_F(RunnerTest, ADamagedLastCheckpointOfThePrecursorIsComputedAgain) {
+  FakeLauncher first([&](const LaunchRequest& request) {
+    if (!case_of(request.case_id).is_precursor) return 1;
+    test::write_checkpoint(RunFiles{request.run_directory}, request.case_id, 500, 50.0);
+    return finish(request);
+  });
+  run(first);
+  const RunFiles precursor = run_files(folder_.path(), campaign_.cases[0]);
+  std::filesystem::resize_file(precursor.checkpoint(1000), 4096);
+  FakeLauncher second([&](const LaunchRequest& request) { return finish(request); });
+  EXPECT_EQ(run(second).finished, 5U);
+  EXPECT_EQ(second.started.front().case_id, id(0));
+  EXPECT_TRUE(std::filesystem::exists(precursor.checkpoint(1000).string() + ".bad"));
+  EXPECT_TRUE(std::filesystem::exists(precursor.checkpoint(500)));
+}
+
+TEST_F(RunnerTest, ALostStoreIsMadeAgainFromTheRunDirectories) {
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  run(launcher);
+  for (const char* suffix : {"", "-wal", "-shm"}) {
+    std::filesystem::remove(Store::path_in(folder_.path()).string() + suffix);
+  }
+  FakeLauncher none([](const LaunchRequest&) { return 1; });
+  EXPECT_EQ(run(none).finished, 5U);
+  EXPECT_TRUE(none.started.empty());
+  EXPECT_EQ(store().attempts(id(1)), 1);
+  EXPECT_TRUE(store().result_origin(id(1)).has_value());
+}
+
+TEST_F(RunnerTest, ALongerAverageReplacesTheResultAndTheSameOneDoesNot) {
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  run(launcher);
+  const std::string first = store().result_origin(id(1))->recorded;
+  const RunFiles files = run_files(folder_.path(), campaign_.cases[1]);
+  auto longer = analysis::samples::elastic_statistics({}, 30);
+  longer.case_id = id(1);
+  analysis::write_statistics(files.statistics(), longer);
+  FakeLauncher none([](const LaunchRequest&) { return 1; });
+  run(none);
+  EXPECT_EQ(store().result_origin(id(1))->window_end, longer.end.back())
+      << "even within one second of the first";
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  run(none);
+  EXPECT_EQ(store().result_origin(id(2))->recorded, first) << "what has not changed is not written again";
+}
+
+TEST_F(RunnerTest, FinishedWithoutStatisticsIsTold) {
+  FakeLauncher launcher([&](const LaunchRequest& request) {
+    const int code = finish(request);
+    if (request.case_id == id(4)) std::filesystem::remove(RunFiles{request.run_directory}.statistics());
+    return code;
+  });
+  const RunnerReport report = run(launcher);
+  EXPECT_EQ(report.finished, 4U);
+  ASSERT_EQ(report.failed.size(), 1U);
+  EXPECT_NE(report.failed[0].reason.find("without a result"), std::string::npos);
+}
+
+/// An attempt that never makes a step and ends only when it is killed.
+class HangingLauncher final : public Launcher {
+ public:
+  ProcessIdentity start(const LaunchRequest& request) override {
+    running_.push_back(request.case_id);
+    return this_process();
+  }
+  std::vector<EndedAttempt> collect() override { return std::exchange(ended_, {}); }
+  void stop(const std::string& case_id, StopLevel level) override {
+    asked.push_back(level);
+    if (level != StopLevel::kKill || std::erase(running_, case_id) == 0) return;
+    ended_.push_back({case_id, 137});
+  }
+  [[nodiscard]] bool idle() const override { return running_.empty() && ended_.empty(); }
+  std::vector<StopLevel> asked;
+
+ private:
+  std::vector<std::string> running_;
+  std::vector<EndedAttempt> ended_;
+};
+
+TEST_F(RunnerTest, AHangingAttemptIsEndedMoreAndMoreFirmlyAndCountedAsStalled) {
+  HangingLauncher launcher;
+  RunnerOptions options;
+  options.stall_seconds = 0.02;
+  options.grace = {0.02, 0.02};
+  options.poll = std::chrono::milliseconds(1);
+  Signals signals;
+  Progress progress("");
+  Store results = Store::open(folder_.path(), OpenMode::kCreate);
+  const auto report =
+      Runner(campaign_, folder_.path(), {launcher, results, progress, signals}, options).run();
+  EXPECT_EQ(report.failed.size(), 5U);
+  const auto history = results.attempt_history(id(0));
+  ASSERT_EQ(history.size(), 2U);
+  EXPECT_EQ(history[0].outcome, "stalled");
+  const std::vector<StopLevel> ladder = {StopLevel::kCheckpoint, StopLevel::kTerminate, StopLevel::kKill};
+  EXPECT_EQ(std::vector(launcher.asked.begin(), launcher.asked.begin() + 3), ladder);
+}
+
+}  // namespace
+}  // namespace softwall::campaign

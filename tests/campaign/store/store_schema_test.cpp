@@ -1,0 +1,159 @@
+#include "campaign/store_schema.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "campaign/store_documentation.hpp"
+#include "campaign/store_file.hpp"
+#include "campaign/store_words.hpp"
+#include "schemas/embedded.hpp"
+#include "tests/campaign/runner/temporary_folder.hpp"
+#include "tests/campaign/store/examples.hpp"
+
+namespace softwall::campaign::tests {
+namespace {
+
+using ::testing::ElementsAreArray;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::vector<std::string> column_of(Connection& connection, const std::string& sql) {
+  std::vector<std::string> values;
+  Statement rows = connection.prepare(sql);
+  while (rows.step()) values.push_back(rows.text(0));
+  return values;
+}
+
+class SchemaTest : public ::testing::Test {
+ protected:
+  void SetUp() override { create_schema(connection); }
+  Connection connection = Connection::open_in_memory();
+};
+
+TEST_F(SchemaTest, EveryColumnOfEveryTableAndViewIsDocumented) {
+  EXPECT_THAT(column_of(connection,
+                        "SELECT s.name || '.' || c.name FROM sqlite_schema s, pragma_table_xinfo(s.name) c"
+                        " WHERE s.type IN ('table', 'view') AND s.name NOT LIKE 'sqlite_%' AND NOT EXISTS"
+                        " (SELECT 1 FROM documentation d WHERE d.object = s.name AND d.column_name = c.name"
+                        "  AND length(d.meaning) > 3 AND length(d.unit) > 0)"),
+              IsEmpty());
+  EXPECT_THAT(column_of(connection,
+                        "SELECT name FROM sqlite_schema s WHERE type IN ('table', 'view') AND NOT EXISTS"
+                        " (SELECT 1 FROM documentation d WHERE d.object = s.name AND d.column_name = ''"
+                        "  AND length(d.meaning) > 10)"),
+              IsEmpty());
+}
+
+TEST_F(SchemaTest, NothingIsDocumentedThatIsNotThere) {
+  EXPECT_THAT(
+      column_of(connection,
+                "SELECT object || '.' || column_name FROM documentation d WHERE column_name <> '' AND NOT"
+                " EXISTS (SELECT 1 FROM pragma_table_xinfo(d.object) c WHERE c.name = d.column_name)"),
+      IsEmpty());
+}
+
+TEST_F(SchemaTest, AColumnWithoutCommentWouldBeNoticed) {
+  const auto found = documentation_in(
+      "-- Things.\nCREATE TABLE t (\n  a TEXT, -- [m] length of it\n  b TEXT,\n"
+      "  c TEXT CHECK (c IN\n    ('x', 'y')), -- [-] two\n  -- words\n) STRICT;\n");
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[0].object + found[0].column + found[0].meaning, "tThings.");
+  EXPECT_EQ(found[1].column + "|" + found[1].unit + "|" + found[1].meaning, "a|m|length of it");
+  EXPECT_EQ(found[2].column + "|" + found[2].unit + "|" + found[2].meaning, "c|-|two words");
+}
+
+TEST_F(SchemaTest, EveryTableIsStrict) {
+  EXPECT_THAT(column_of(connection,
+                        "SELECT name FROM pragma_table_list WHERE schema = 'main' AND type = 'table'"
+                        " AND NOT strict AND name NOT LIKE 'sqlite_%'"),
+              IsEmpty());
+  EXPECT_THAT(refusal([&] { connection.execute("INSERT INTO campaign VALUES (1, 'n', 's', 'c', x'00')"); }),
+              HasSubstr("BLOB"));
+}
+
+TEST_F(SchemaTest, TheResultsViewBeginsAsPromised) {
+  std::vector<std::string> expected = {"case_id", "label", "G", "viscosity_ratio"};
+  for (const auto& [name, member] : analysis::kMeasuredMembers) {
+    expected.emplace_back(name);
+    expected.push_back(std::string(name) + "_ci95");
+  }
+  auto columns = column_of(connection, "SELECT name FROM pragma_table_info('results') ORDER BY cid");
+  ASSERT_GT(columns.size(), expected.size());
+  columns.resize(expected.size());
+  EXPECT_THAT(columns, ElementsAreArray(expected));
+}
+
+TEST_F(SchemaTest, TheResultsViewPutsEveryNumberInItsColumn) {
+  test::TemporaryFolder folder;
+  Store store = Store::open(folder.path(), OpenMode::kCreate);
+  const Campaign campaign = paper_campaign();
+  store.record_campaign(campaign);
+  double seed = 100.0;
+  for (const CampaignCase& each : campaign.cases)
+    store.record_result(each.definition.id, result_made_of(seed++), "");
+  seed = 100.0;
+  for (const CampaignCase& each : campaign.cases) {
+    const analysis::DerivedQuantities expected = result_made_of(seed++);
+    for (const auto& [name, member] : analysis::kMeasuredMembers) {
+      const std::string column(name);
+      Statement row = store.connection().query(
+          "SELECT " + column + ", " + column + "_ci95 FROM results WHERE case_id = ?", each.definition.id);
+      ASSERT_TRUE(row.step());
+      EXPECT_EQ(row.real(0), (expected.*member).value) << name;
+      EXPECT_EQ(row.real(1), (expected.*member).ci95) << name;
+    }
+  }
+  EXPECT_EQ(answer(store, "SELECT count(*) FROM results"), "7");
+  EXPECT_EQ(answer(store, "SELECT G IS NULL AND viscosity_ratio IS NULL FROM results LIMIT 1"), "1");
+}
+
+TEST_F(SchemaTest, IdentityAndVersionAreSet) {
+  EXPECT_EQ(connection.integer("PRAGMA application_id"), kApplicationId);
+  EXPECT_EQ(schema_version(connection), kSchemaVersion);
+}
+
+TEST_F(SchemaTest, WordsOfTheProgramAndOfTheTableAgree) {
+  for (int value = 0; value <= static_cast<int>(CaseState::kFailed); ++value) {
+    const auto state = static_cast<CaseState>(value);
+    EXPECT_EQ(state_of(word_of(state)), state);
+    EXPECT_THAT(std::string(schemas::kResultsSql), HasSubstr("'" + std::string(word_of(state)) + "'"));
+  }
+  EXPECT_FALSE(state_of("unheard of").has_value());
+}
+
+TEST(Migration, TakesAStoreStepByStepToTheTarget) {
+  Connection connection = Connection::open_in_memory();
+  create_schema(connection);
+  const std::vector<Migration> steps = {
+      {kSchemaVersion, "ALTER TABLE campaign ADD COLUMN first TEXT; UPDATE campaign SET first = 'done'"},
+      {kSchemaVersion + 1, "ALTER TABLE campaign ADD COLUMN second TEXT"}};
+  connection.execute(
+      "INSERT INTO campaign (id, name, spec, created, updated) VALUES (1, 'n', 's', 'c', 'u')");
+  migrate(connection, steps, kSchemaVersion + 2);
+  EXPECT_EQ(connection.integer("PRAGMA user_version"), kSchemaVersion + 2);
+  EXPECT_EQ(connection.integer("SELECT count(*) FROM campaign WHERE first = 'done' AND second IS NULL"), 1);
+  EXPECT_GT(connection.integer("SELECT count(*) FROM documentation"), 0);
+  migrate(connection, steps, kSchemaVersion + 2);  // there already
+}
+
+TEST(Migration, AFailedStepLeavesTheOldFormat) {
+  Connection connection = Connection::open_in_memory();
+  create_schema(connection);
+  const std::vector<Migration> steps = {{kSchemaVersion, "ALTER TABLE campaign ADD COLUMN first TEXT"},
+                                        {kSchemaVersion + 1, "ALTER TABLE nowhere ADD COLUMN second TEXT"}};
+  EXPECT_THAT(refusal([&] { migrate(connection, steps, kSchemaVersion + 2); }), HasSubstr("nowhere"));
+  EXPECT_EQ(connection.integer("PRAGMA user_version"), kSchemaVersion);
+  EXPECT_EQ(connection.integer("SELECT count(*) FROM pragma_table_info('campaign') WHERE name = 'first'"), 0);
+  EXPECT_THAT(refusal([&] { migrate(connection, {}, kSchemaVersion + 1); }), HasSubstr("no way is known"));
+}
+
+TEST(Migration, AStepExistsFromEveryFormerFormat) {
+  std::set<int> from;
+  for (const Migration& step : migrations()) from.insert(step.from);
+  for (int version = 1; version < kSchemaVersion; ++version) EXPECT_TRUE(from.contains(version)) << version;
+}
+
+}  // namespace
+}  // namespace softwall::campaign::tests

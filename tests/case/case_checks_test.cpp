@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include "tests/case/examples.hpp"
+
+namespace softwall {
+namespace {
+
+using nlohmann::json;
+using tests::complaint_about;
+
+json elastic_with(const char* pointer, const json& value) {
+  json document = tests::elastic_document();
+  document[json::json_pointer(pointer)] = value;
+  return document;
+}
+
+void expect_complaint(const json& document, const std::string& part) {
+  const std::string message = complaint_about(document);
+  EXPECT_NE(message.find(part), std::string::npos) << "got: " << message;
+}
+
+TEST(CaseChecks, AnElasticWallNeedsItsSolid) {
+  json document = tests::elastic_document();
+  document["physics"].erase("solid");
+  expect_complaint(document, "/physics/solid: missing");
+  expect_complaint(elastic_with("/physics/grid/ny_solid", 3),
+                   "/physics/grid/ny_solid: 3; an elastic wall needs at least 4");
+}
+
+TEST(CaseChecks, ARigidChannelHasNone) {
+  json document = tests::rigid_document();
+  document["physics"]["solid"] = {{"G", 1}};
+  document["physics"]["grid"]["ny_solid"] = 8;
+  expect_complaint(document, "/physics/solid: given");
+  expect_complaint(document, "/physics/grid/ny_solid: 8; must be 0");
+}
+
+TEST(CaseChecks, UniformSpacingMustMatch) {
+  expect_complaint(elastic_with("/physics/grid/ny_solid", 9), "ny_solid must be 8");
+  expect_complaint(elastic_with("/physics/domain/layer_height", 0.51), "no ny_solid fits");
+  json thirds = elastic_with("/physics/domain/layer_height", 1.0 / 3.0);
+  thirds["physics"]["grid"]["ny_fluid"] = 30;
+  thirds["physics"]["grid"]["ny_solid"] = 5;
+  EXPECT_EQ(complaint_about(thirds), "");
+}
+
+/// Whatever the message recommends is then accepted.
+TEST(CaseChecks, AdviceForStretchedGridsIsRight) {
+  for (const double stretching : {0.5, 1.0, 1.8, 2.5}) {
+    json document = elastic_with("/physics/grid/stretching", stretching);
+    document["physics"]["grid"]["ny_solid"] = 90000;
+    const std::string message = complaint_about(document);
+    const std::size_t from = message.find("ny_solid from ");
+    ASSERT_NE(from, std::string::npos) << message;
+    int least = 0, most = 0;
+    ASSERT_EQ(std::sscanf(message.c_str() + from, "ny_solid from %d to %d", &least, &most), 2);
+    for (const auto& [cells, works] :
+         {std::pair{least - 1, false}, {least, true}, {most, true}, {most + 1, false}}) {
+      if (cells < 4) continue;
+      document["physics"]["grid"]["ny_solid"] = cells;
+      EXPECT_EQ(complaint_about(document).empty(), works)
+          << stretching << " " << cells << complaint_about(document);
+    }
+  }
+}
+
+TEST(CaseChecks, APrecursorMustBeNamed) {
+  expect_complaint(elastic_with("/physics/initial/type", "precursor"), "/physics/initial/precursor: empty");
+}
+
+TEST(CaseChecks, ComeTogetherWithTheSchemasMistakes) {
+  json document = elastic_with("/physics/grid/ny_solid", 9);
+  document["physics"]["initial"]["type"] = "precursor";
+  document["physics"]["solid"]["G"] = -1;
+  document["run"]["end_tim"] = 1;
+  const std::string message = complaint_about(document);
+  for (const char* place : {"/physics/grid/ny_solid: 9", "/physics/initial/precursor: empty",
+                            "/physics/solid/G: -1", "/run/end_tim: unknown key"})
+    EXPECT_NE(message.find(place), std::string::npos) << message;
+}
+
+TEST(CaseChecks, DeriveNothingFromWhatIsWrong) {
+  json document = elastic_with("/physics/grid/ny_solid", 9);
+  document["physics"]["grid"]["ny_fluid"] = "many";
+  EXPECT_EQ(complaint_about(document).find("/physics/grid/ny_solid"), std::string::npos)
+      << complaint_about(document);
+}
+
+}  // namespace
+}  // namespace softwall

@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "schemas/embedded.hpp"
+#include "solver/case/case_schema.hpp"
+#include "tests/case/examples.hpp"
+
+/// schemas/case.schema.json and struct Case describe the same thing: a parameter forgotten on one side fails
+/// here.
+namespace softwall {
+namespace {
+
+using nlohmann::json;
+using Pointer = json::json_pointer;
+
+void collect_schema_leaves(const json& node, const std::string& at, std::set<std::string>& leaves) {
+  if (!node.contains("properties"))
+    leaves.insert(at);
+  else
+    for (const auto& [key, child] : node.at("properties").items())
+      collect_schema_leaves(child, at + "/" + key, leaves);
+}
+
+std::set<std::string> schema_leaves() {
+  std::set<std::string> leaves;
+  collect_schema_leaves(case_schema().document(), "", leaves);
+  return leaves;
+}
+
+std::set<std::string> leaves_of(const json& document) {
+  std::set<std::string> leaves;
+  const json flat = document.flatten();
+  for (const auto& [pointer, unused] : flat.items()) leaves.insert(pointer);
+  return leaves;
+}
+
+TEST(SchemaContract, EveryParameterIsWrittenAndNothingElse) {
+  EXPECT_EQ(leaves_of(to_json(parse_case(tests::full_document().dump()))), schema_leaves());
+}
+
+TEST(SchemaContract, TheFullExampleChangesEveryDefault) {
+  const json full = tests::full_document();
+  for (const auto& pointer : schema_leaves()) {
+    ASSERT_TRUE(full.contains(Pointer(pointer))) << pointer;
+    const json* node = case_schema().part(Pointer(pointer));
+    ASSERT_NE(node, nullptr) << pointer;
+    if (node->contains("default")) {
+      EXPECT_NE(full.at(Pointer(pointer)), node->at("default")) << pointer;
+    }
+  }
+}
+
+/// Removing any one member of the physics changes the id; removing one of the rest does not.
+TEST(SchemaContract, PhysicsIsIdentityMemberByMember) {
+  const json full = tests::full_document();
+  const std::string id = tests::id_of(full);
+  for (const auto& pointer : schema_leaves()) {
+    const Pointer place(pointer);
+    const json* node = case_schema().part(place);
+    json without = full;
+    without.at(place.parent_pointer()).erase(place.back());
+    if (!tests::complaint_about(without).empty()) {
+      const bool needed = !node->contains("default") || pointer == "/physics/grid/ny_solid" ||
+                          pointer == "/physics/grid/stretching" ||
+                          pointer == "/physics/domain/layer_height" ||
+                          pointer == "/physics/initial/precursor";
+      EXPECT_TRUE(needed) << pointer << " is needed although it has a default";
+      continue;
+    }
+    EXPECT_EQ(tests::id_of(without) != id, pointer.starts_with("/physics/")) << pointer;
+  }
+}
+
+TEST(SchemaContract, EveryParameterIsDescribedOrSpeaksForItself) {
+  for (const auto& pointer : schema_leaves()) {
+    const json& node = *case_schema().part(Pointer(pointer));
+    const bool typed = node.contains("type") || node.contains("enum") || node.contains("const");
+    EXPECT_TRUE(typed) << pointer;
+    if (node.value("type", "") == "number") {
+      EXPECT_TRUE(node.contains("description")) << pointer << " has no unit";
+    }
+  }
+}
+
+TEST(SchemaContract, DefaultsAreAllowedByTheirOwnBounds) {
+  json document = tests::full_document();
+  for (const auto& pointer : schema_leaves())
+    if (const json* node = case_schema().part(Pointer(pointer)); node->contains("default"))
+      document[Pointer(pointer)] = node->at("default");
+  EXPECT_TRUE(case_schema().mistakes(document).empty());
+}
+
+TEST(SchemaContract, StatusAndSummaryAcceptWhatASolverWrites) {
+  const JsonSchema status(schemas::kStatusSchema), summary(schemas::kSummarySchema);
+  json live =
+      json::parse(R"({"format": 1, "case_id": "0123456789abcdef", "attempt": 1, "pid": 12, "host": "node",
+      "ranks": 2, "step": 10, "time": 0.5, "end_time": 3, "dt": 0.01, "dt_limit": "elastic",
+      "seconds_per_step": 0.1, "checkpoint_step": 0, "updated": 1700000000})");
+  json end = json::parse(R"({"format": 1, "case_id": "0123456789abcdef", "attempt": 1, "outcome": "finished",
+      "reason": "end time reached", "exit_code": 0, "step": 10, "time": 3.01, "end_time": 3, "attempt_steps": 10,
+      "wall_seconds": 1.5, "ns_per_cell_step": 100, "checkpoint": "checkpoints/checkpoint-000000010.h5",
+      "resumed_from": "", "diagnostics": {"divergence": 1e-13, "undefined": null},
+      "provenance": {"version": "0.1.0", "git_revision": "abc", "build_type": "Release", "compiler": "GNU 12",
+                     "host": "node", "ranks": 2, "started": "2024-01-01T00:00:00Z", "ended": "2024-01-01T00:00:02Z"}})");
+  EXPECT_TRUE(status.mistakes(live).empty());
+  EXPECT_TRUE(summary.mistakes(end).empty());
+  live["case_id"] = "not an id";
+  end["outcome"] = "splendid";
+  EXPECT_EQ(status.mistakes(live).size(), 1U);
+  EXPECT_EQ(summary.mistakes(end).size(), 1U);
+}
+
+}  // namespace
+}  // namespace softwall

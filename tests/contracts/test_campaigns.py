@@ -1,0 +1,49 @@
+"""Every committed campaign is accepted, and holds the cases that its folder promises."""
+
+import json
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+from repository import ROOT, committed_files, run_softwall, text_of
+
+PAPER = {(4, 1), (2, 1), (1, 1), (0.5, 1), (1, 0.1), (1, 10)}  # (G, viscosity ratio) of tables 1 and 2
+
+
+def campaigns():
+    return [path for path in committed_files() if path.parts[0] == "runs" and path.name == "campaign.json"]
+
+
+class Campaigns(unittest.TestCase):
+    def test_the_promised_ones_are_there(self):
+        folders = {str(path.parent) for path in campaigns()}
+        self.assertLessEqual({"runs/quickstart", "runs/rosti-brandt-2017/paper-grid", "runs/rosti-brandt-2017/coarse"},
+                             folders)
+
+    def test_softwall_plans_the_papers_seven_cases(self):
+        for path in campaigns():
+            with self.subTest(str(path)):
+                cases = json.loads(run_softwall("plan", ROOT / path, "--json"))["cases"]
+                self.assertEqual(len(cases), 7)
+                self.assertEqual(len({case["case_id"] for case in cases}), 7)
+                self.assertTrue(all(case["steps"] >= 0 for case in cases))
+
+    def test_softwall_accepts_the_example_in_the_readme(self):
+        example = re.search(r"^```json\n(.*?)^```", text_of("README.md"), re.MULTILINE | re.DOTALL).group(1)
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "campaign.json").write_text(example, encoding="utf-8")
+            cases = json.loads(run_softwall("plan", folder, "--json"))["cases"]
+        self.assertEqual(len(cases), 1 + 4 * 3 - 1)
+
+    def test_they_sweep_over_the_papers_walls(self):
+        for path in campaigns():
+            sweep = json.loads((ROOT / path).read_text(encoding="utf-8"))["sweep"]
+            walls = {(G, 1) for G in sweep["grid"]["G"]}
+            walls |= {(case["G"], case["viscosity_ratio"]) for case in sweep["list"]}
+            with self.subTest(str(path)):
+                self.assertEqual(walls, PAPER)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,49 @@
+"""Every key of every schema says what it means."""
+
+import json
+import unittest
+
+from repository import ROOT
+
+SCHEMAS = {path.name: json.loads(path.read_text(encoding="utf-8")) for path in sorted((ROOT / "schemas").glob("*.json"))}
+
+
+def resolve(name, schema):
+    """Follows "$ref": "file#/a/b"."""
+    while "$ref" in schema:
+        file, _, pointer = schema["$ref"].partition("#")
+        name = file or name
+        schema = SCHEMAS[name]
+        for word in pointer.strip("/").split("/"):
+            schema = schema[word]
+    return name, schema
+
+
+def undescribed(name, schema, place):
+    """A group of keys or a constant speaks for itself; any other key needs a description."""
+    for key, value in schema.get("properties", {}).items():
+        home, resolved = resolve(name, value)
+        here = f"{place}/{key}"
+        if "properties" in resolved:
+            yield from undescribed(home, resolved, here)
+        elif "const" not in resolved and not (value.get("description") or resolved.get("description")):
+            yield here
+
+
+class Schemas(unittest.TestCase):
+    def test_there_are_schemas(self):
+        self.assertLessEqual({"case.schema.json", "campaign.schema.json", "status.schema.json", "summary.schema.json"},
+                             set(SCHEMAS))
+
+    def test_every_key_has_a_description(self):
+        for name, schema in SCHEMAS.items():
+            with self.subTest(name):
+                self.assertEqual(list(undescribed(name, schema, "")), [])
+
+    def test_inputs_refuse_unknown_keys(self):
+        for name in ("case.schema.json", "campaign.schema.json"):
+            self.assertIs(SCHEMAS[name]["additionalProperties"], False)
+
+
+if __name__ == "__main__":
+    unittest.main()

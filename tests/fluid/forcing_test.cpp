@@ -1,0 +1,72 @@
+#include "solver/fluid/forcing.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/fields.hpp"
+
+namespace softwall::fluid {
+namespace {
+
+using support::Domain;
+
+/// sum((1 - phi) u dV) / sum((1 - phi) dV), phi averaged to the low-x face.
+double bulk_velocity(const Domain& d, const grid::VectorField& velocity, const grid::Field& phi) {
+  const auto& g = d.grid;
+  const auto fluid = [&](int i, int j, int k) {
+    return (1 - (phi(i, j, k) + phi(i - 1, j, k)) / 2) * g.dy[j];
+  };
+  const double volume = grid::sum_cells(grid::all_cells(g), fluid);
+  const double flow = grid::sum_cells(
+      grid::all_cells(g), [&](int i, int j, int k) { return fluid(i, j, k) * velocity.x(i, j, k); });
+  return parallel::sum(d.decomposition.all(), flow) / parallel::sum(d.decomposition.all(), volume);
+}
+
+class Forcing : public testing::TestWithParam<double> {
+ protected:
+  Domain d{MPI_COMM_WORLD, {14, 10, 13}, {}, support::faces(10, 2.5, GetParam())};
+  grid::Field phi{d.grid, 3};
+};
+
+TEST_P(Forcing, HoldsTheFlowRateOfARigidChannel) {
+  auto velocity = support::random_velocity(d, 3);
+  for (const double wanted : {1.0, 0.0, -2.5}) {
+    const double before = bulk_velocity(d, velocity, phi);
+    const double added = hold_flow_rate(velocity, {}, wanted, d.grid, d.decomposition);
+    EXPECT_NEAR(bulk_velocity(d, velocity, phi), wanted, 1e-14);
+    EXPECT_NEAR(added, wanted - before, 1e-14);
+  }
+}
+
+TEST_P(Forcing, CountsOnlyTheFluidOfAnElasticChannel) {
+  const int first_row = 5;
+  support::set_by_index(phi, d.grid, d.grid.ny, [=](int i, int j, int k) {
+    return j < first_row ? 0.0 : (1 + support::noise(8, i, j, k)) / 2;
+  });
+  d.halo.fill({&phi});
+  const grid::VectorField force(d.grid, 0);
+  const SolidInput solid{&phi, &force, first_row, 1};
+  auto velocity = support::random_velocity(d, 3);
+  static_cast<void>(hold_flow_rate(velocity, solid, 1.0, d.grid, d.decomposition));
+  EXPECT_NEAR(bulk_velocity(d, velocity, phi), 1, 1e-14);
+}
+
+TEST_P(Forcing, AddsTheSameToEveryCellAndNothingElse) {
+  auto velocity = support::random_velocity(d, 3);
+  grid::VectorField before(d.grid, 1);
+  support::copy(velocity, before);
+  const double added = hold_flow_rate(velocity, {}, 1.0, d.grid, d.decomposition);
+  for (int k = 0; k < d.grid.nz; ++k) {
+    for (int j = 0; j < d.grid.ny; ++j) {
+      for (int i = 0; i < d.grid.nx; ++i) {
+        ASSERT_DOUBLE_EQ(velocity.x(i, j, k), before.x(i, j, k) + added);
+        ASSERT_EQ(velocity.y(i, j, k), before.y(i, j, k));
+        ASSERT_EQ(velocity.z(i, j, k), before.z(i, j, k));
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(UniformAndStretched, Forcing, testing::Values(0.0, 1.8));
+
+}  // namespace
+}  // namespace softwall::fluid

@@ -1,0 +1,70 @@
+#include "solver/grid/field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/support/domain.hpp"
+
+namespace softwall::grid {
+namespace {
+
+Grid small_grid(int nx, int ny, int nz) {
+  Grid g;
+  g.nx = nx;
+  g.ny = ny;
+  g.nz = nz;
+  return g;
+}
+
+TEST(Field, StartsAtZeroEverywhere) {
+  const Field f(small_grid(5, 4, 3), 2);
+  for (int k = -2; k < 5; ++k) {
+    for (int j = -2; j < 6; ++j) {
+      for (int i = -2; i < 7; ++i) ASSERT_EQ(f(i, j, k), 0.0);
+    }
+  }
+}
+
+TEST(Field, EveryCellHasItsOwnPlaceXFastest) {
+  for (const int ghost : {0, 1, 3}) {
+    Field f(small_grid(5, 4, 3), ghost);
+    std::set<const Real*> places;
+    const auto view = f.view();
+    for (int k = -ghost; k < 3 + ghost; ++k) {
+      for (int j = -ghost; j < 4 + ghost; ++j) {
+        for (int i = -ghost; i < 5 + ghost; ++i) {
+          places.insert(&view(i, j, k));
+          if (i > -ghost) {
+            EXPECT_EQ(&view(i, j, k), &view(i - 1, j, k) + 1);
+          }
+        }
+      }
+    }
+    const int h = 2 * ghost;
+    EXPECT_EQ(places.size(), static_cast<std::size_t>((5 + h) * (4 + h) * (3 + h)));
+    EXPECT_EQ(*places.rbegin() - *places.begin() + 1, (5 + h) * (4 + h) * (3 + h));  // dense: no gaps
+  }
+}
+
+TEST(Field, ViewsSeeWhatTheFieldHolds) {
+  Field f(small_grid(5, 4, 3), 1);
+  f(-1, 4, 2) = 7;
+  EXPECT_EQ(f.view()(-1, 4, 2), 7);
+  EXPECT_EQ(std::as_const(f).view()(-1, 4, 2), 7);
+  f.view()(0, 0, 0) = 8;
+  EXPECT_EQ(f(0, 0, 0), 8);
+}
+
+TEST(Field, MovesItsMemory) {
+  Field f(small_grid(5, 4, 3), 1);
+  f(1, 2, 0) = 9;
+  const Real* place = &f.view()(1, 2, 0);
+  const Field g = std::move(f);
+  EXPECT_EQ(&g.view()(1, 2, 0), place);
+  EXPECT_EQ(g(1, 2, 0), 9);
+  EXPECT_EQ(g.ghost(), 1);
+}
+
+}  // namespace
+}  // namespace softwall::grid

@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <memory>
+#include <thread>
+
+#include "solver/case/checkpoint_header.hpp"
+#include "solver/output/checkpoint_reader.hpp"
+#include "tests/restart/solver_run.hpp"
+
+// A run that was stopped for any reason and resumed gives, on the same number of ranks, the same bits as one
+// that was not; on another number of ranks the same numbers to round-off.
+namespace softwall::support {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+struct Setting {
+  const char* flow;
+  int ranks;
+};
+
+class Restart : public testing::TestWithParam<Setting> {
+ protected:
+  [[nodiscard]] int ranks() const { return GetParam().ranks; }
+  [[nodiscard]] static json a_case(int steps) {
+    return std::string(GetParam().flow) == "rigid" ? rigid_case(steps) : elastic_case(steps);
+  }
+  /// Never stopped.
+  [[nodiscard]] std::unique_ptr<SolverRun> reference(int steps) const {
+    auto run = std::make_unique<SolverRun>(a_case(steps));
+    const Ended ended = run->run(ranks());
+    EXPECT_EQ(ended.code, 0) << ended.output;
+    return run;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(, Restart,
+                         testing::Values(Setting{"rigid", 1}, Setting{"rigid", 2}, Setting{"rigid", 4},
+                                         Setting{"elastic", 1}, Setting{"elastic", 2}, Setting{"elastic", 4}),
+                         [](const auto& test) { return test.param.flow + std::to_string(test.param.ranks); });
+
+TEST_P(Restart, FromEachCheckpointOfAnInterval) {
+  const auto whole = reference(25);
+  json definition = a_case(25);
+  definition["run"]["checkpoint_steps"] = 4;
+  definition["run"]["keep_checkpoints"] = 100;
+  const SolverRun source(definition);
+  ASSERT_EQ(source.run(ranks()).code, 0);
+  expect_same_results(source, *whole);
+  for (const int step : {4, 16}) {
+    const SolverRun resumed(definition);
+    fs::create_directories(resumed.files().checkpoints());
+    fs::copy_file(source.files().checkpoint(step), resumed.files().checkpoint(step));
+    const Ended ended = resumed.run(ranks());
+    ASSERT_EQ(ended.code, 0) << ended.output;
+    EXPECT_NE(ended.output.find("step " + std::to_string(step)), std::string::npos) << ended.output;
+    EXPECT_EQ(resumed.summary().at("attempt_steps"), 25 - step);
+    expect_same_results(resumed, *whole);
+  }
+}
+
+TEST_P(Restart, FromTheEndWhenTheEndIsMoved) {
+  const auto whole = reference(25);
+  const SolverRun run(a_case(11));
+  ASSERT_EQ(run.run(ranks()).code, 0);
+  run.write_case(a_case(25));
+  const Ended ended = run.run(ranks());
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  expect_same_results(run, *whole);
+}
+
+TEST_P(Restart, AfterASignal) {
+  constexpr int kSteps = 300;
+  const auto whole = reference(kSteps);
+  SolverRun run(a_case(kSteps));
+  const pid_t mpirun = run.start(ranks());
+  ASSERT_TRUE(run.wait_for_step(0));
+  ASSERT_EQ(::kill(mpirun, SIGUSR1), 0);
+  const Ended stopped = run.wait();
+  ASSERT_EQ(stopped.code, 85) << stopped.output;
+  EXPECT_EQ(run.summary().at("outcome"), "interrupted");
+  EXPECT_EQ(run.summary().at("checkpoint"), "checkpoints/" + run.newest_checkpoint().filename().string());
+  const Ended ended = run.run(ranks());
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  EXPECT_LT(run.summary().at("attempt_steps"), kSteps + 1);
+  expect_same_results(run, *whole);
+}
+
+TEST_P(Restart, AfterTheWallClockLimitBeforeTheFirstStep) {
+  const auto whole = reference(12);
+  const SolverRun run(a_case(12));
+  const Ended stopped = run.run(ranks(), "--wall-seconds 0.001");
+  ASSERT_EQ(stopped.code, 85) << stopped.output;
+  EXPECT_EQ(run.summary().at("reason"), "wall-clock limit");
+  EXPECT_EQ(run.summary().at("step"), 0);
+  ASSERT_EQ(run.run(ranks()).code, 0);
+  expect_same_results(run, *whole);
+}
+
+TEST_P(Restart, AfterKillsAtAnyMoment) {
+  constexpr int kSteps = 200;
+  const auto whole = reference(kSteps);
+  json definition = a_case(kSteps);
+  definition["run"]["checkpoint_steps"] = 7;
+  SolverRun run(definition);
+  for (const int delay : {0, 60, 150}) {  // ms after the solver has come up
+    fs::remove(run.files().status());
+    const pid_t mpirun = run.start(ranks());
+    const bool alive = run.wait_for_step(0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(delay));
+    ::kill(mpirun, SIGKILL);
+    static_cast<void>(run.wait());
+    if (!alive) break;
+  }
+  const Ended ended = run.run(ranks());  // waits for the ranks of the killed mpirun to leave the lock
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  expect_same_results(run, *whole);
+}
+
+/// Largest difference of a field between two checkpoints of one grid.
+double difference(const fs::path& a, const fs::path& b, const std::string& field) {
+  const output::CheckpointFile first(a), second(b);
+  const auto [nz, rows, nx] = first.extents(field);
+  static_cast<void>(rows);
+  const auto x = first.columns(field, {0, nx, 0, nz}), y = second.columns(field, {0, nx, 0, nz});
+  double top = 0;
+  for (std::size_t n = 0; n < x.size(); ++n) top = std::fmax(top, std::abs(x[n] - y[n]));
+  return top;
+}
+
+TEST(RestartOnOtherRanks, GivesTheSameNumbersToRoundOff) {
+  const SolverRun whole(elastic_case(30));
+  ASSERT_EQ(whole.run(2).code, 0);
+  for (const int other : {1, 4}) {
+    const SolverRun run(elastic_case(15));
+    ASSERT_EQ(run.run(2).code, 0);
+    run.write_case(elastic_case(30));
+    ASSERT_EQ(run.run(other).code, 0);
+    ASSERT_EQ(run.newest_checkpoint().filename(), whole.newest_checkpoint().filename());
+    for (const char* field : {"fields/u", "fields/v", "fields/w", "fields/p", "fields/phi", "fields/B_xy"}) {
+      EXPECT_LT(difference(run.newest_checkpoint(), whole.newest_checkpoint(), field), 1e-11) << field;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace softwall::support

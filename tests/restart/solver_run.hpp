@@ -1,0 +1,66 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/types.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "solver/case/run_files.hpp"
+
+/// The real softwall-dns under the real mpirun, in a run directory of its own.
+namespace softwall::support {
+
+struct Ended {
+  int code = -1;       ///< mpirun's exit status; 128 + signal when it was killed
+  std::string output;  ///< of this attempt, stdout and stderr together
+};
+
+class SolverRun {
+ public:
+  SolverRun();
+  explicit SolverRun(const nlohmann::json& definition) : SolverRun() { write_case(definition); }
+  ~SolverRun();
+  SolverRun(const SolverRun&) = delete;
+  SolverRun& operator=(const SolverRun&) = delete;
+
+  [[nodiscard]] const RunFiles& files() const { return files_; }
+  void write_case(const nlohmann::json& definition) const;
+
+  /// Runs to its end. `prelude`: a shell command that each rank begins with.
+  Ended run(int ranks, const std::string& options = "", const std::string& prelude = "true") const;
+
+  /// Starts mpirun, returns its process id.
+  pid_t start(int ranks);
+  /// Waits until status.json says that this step has been made; false after 60 s or when mpirun ends before.
+  bool wait_for_step(std::int64_t step) const;
+  /// Waits for what start() began.
+  Ended wait();
+
+  [[nodiscard]] nlohmann::json summary() const;
+  [[nodiscard]] std::filesystem::path newest_checkpoint() const;
+
+ private:
+  [[nodiscard]] std::string command(int ranks, const std::string& options,
+                                    const std::string& prelude = "true") const;
+  RunFiles files_;
+  pid_t mpirun_ = -1;
+};
+
+/// A small case with statistics, 0.01 per step, which ends after so many steps.
+[[nodiscard]] nlohmann::json rigid_case(int steps);
+[[nodiscard]] nlohmann::json elastic_case(int steps);
+
+[[nodiscard]] std::string contents(const std::filesystem::path& file);
+
+/// All bytes behind a checkpoint's header: state, statistics and diagnostics.
+[[nodiscard]] std::string checkpoint_data(const std::filesystem::path& file);
+
+/// Flips one bit in the middle of a file.
+void damage(const std::filesystem::path& file);
+
+/// Final checkpoint and statistics of two runs are the same, bit for bit.
+void expect_same_results(const SolverRun& a, const SolverRun& b);
+
+}  // namespace softwall::support

@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# Installs what the tests need, builds, and runs all of them: optimised, then with sanitizers; checks the layout.
+#   bash tests/run.sh
+# Exit status 0 only when everything passed. The last line counts the tests of both builds.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+jobs=$(nproc)
+passed=0 failed=0 skipped=0
+step() { printf '\n== %s (%d min %02d s)\n' "$1" $((SECONDS / 60)) $((SECONDS % 60)); }
+
+build() {  # preset
+  cmake --preset "$1" -DSOFTWALL_TESTS=ON
+  cmake --build --preset "$1" --parallel "$jobs"
+}
+
+# Runs the tests of a preset and adds up what ctest counted: "90% tests passed, 1 tests failed out of 10".
+run_tests() {  # preset, options of ctest
+  local preset=$1 log status=0 bad all not_run
+  shift
+  log=$(mktemp)
+  ctest --preset "$preset" --parallel "$jobs" --no-tests=error "$@" | tee "$log" || status=$?
+  read -r bad all < <(sed -n 's/^[0-9]*% tests passed, \([0-9]*\) tests failed out of \([0-9]*\)$/\1 \2/p' "$log") || true
+  not_run=$(grep -c '^[[:space:]]*[0-9]* - .* (Skipped)$' "$log") || true
+  rm -f "$log"
+  if [[ -z "${all:-}" ]] || ((status != 0 && bad == 0)); then
+    echo "ctest did not run the tests of the preset $preset (status $status)" >&2
+    exit 1
+  fi
+  passed=$((passed + all - bad - not_run)) failed=$((failed + bad)) skipped=$((skipped + not_run))
+}
+
+step "Packages"
+bash runs/install-packages.sh tests
+
+step "Layout: clang-format"
+layout=0
+git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format --dry-run -Werror || layout=1
+((layout == 1)) || echo "as .clang-format says"
+
+step "Build, optimised, in build/"
+build release
+step "Tests"
+run_tests release
+
+step "clang-tidy on the sources that changed last"
+git log -n 40 --format= --name-only --diff-filter=d -- '*.cpp' | awk '!seen[$0]++' | { grep -v '^tests/' || true; } |
+  while read -r file; do [[ ! -f $file ]] || echo "$file"; done | head -n 10 |
+  xargs -r -n 5 -P "$jobs" clang-tidy -p build --quiet --extra-arg=-Wno-unknown-warning-option 2>/dev/null || layout=1
+((layout == 1)) || echo "as .clang-tidy says"
+
+step "Build with address and undefined-behaviour sanitizers, in build-sanitize/"
+build sanitize
+step "Tests with sanitizers"
+# Open MPI keeps memory until the process ends; only our own leaks are of interest. Its plug-ins are gone by then, and
+# only the slow unwinder sees who had called them.
+export LSAN_OPTIONS="suppressions=$PWD/tests/sanitizer/leaks.txt:print_suppressions=0"
+export ASAN_OPTIONS=fast_unwind_on_malloc=0
+export UBSAN_OPTIONS=print_stacktrace=1
+# One rank each: what several ranks add is tested above, and instrumented ranks on few cores take minutes to wait.
+run_tests sanitize --label-exclude 'performance|long' --exclude-regex '[.]ranks[2-9]$|TakeLittleTime'
+
+step "Done"
+((layout == 0)) || echo "clang-format or clang-tidy has complaints: see above."
+echo "$passed passed, $failed failed, $skipped skipped"
+((failed == 0 && layout == 0))

@@ -1,0 +1,84 @@
+#include "solver/statistics/interface_height.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "solver/parallel/reduce.hpp"
+#include "tests/statistics/flows.hpp"
+
+namespace softwall::statistics {
+namespace {
+
+using namespace testing;
+
+/// Solid above eta(x, z), with a linear transition of the given width: linear interpolation finds it exactly.
+grid::Field solid_above(const grid::Grid& g, double width, const std::function<double(double, double)>& eta) {
+  grid::Field phi(g, 3);
+  for_columns(g, 0, g.ny, [&](int i, int j, int k, double x, double z) {
+    phi(i, j, k) = std::clamp(0.5 + (g.y_center[j] - eta(x, z)) / width, 0.0, 1.0);
+  });
+  return phi;
+}
+
+TEST(Interface, ShapeOfAWavyInterface) {
+  for (const double stretching : {0.0, 1.5}) {
+    auto physics = elastic_case();
+    physics.grid.stretching = stretching;
+    const time::Setup setup(physics, MPI_COMM_WORLD);
+    const auto phi = solid_above(setup.grid, 0.9, [&](double x, double z) {
+      return 1.98 + 0.08 * std::cos(2 * kPi * x / 4) * std::cos(2 * kPi * z / 3);
+    });
+    const auto shape = interface_shape(phi, setup.grid, setup.decomposition);
+    EXPECT_NEAR(shape.mean, 1.98, 1e-13);
+    EXPECT_NEAR(shape.rms, 0.08 / 2, 1e-13);
+    EXPECT_NEAR(shape.max_deviation, 0.08, 1e-13);
+  }
+}
+
+TEST(Interface, AFlatLayerLiesAtTheInterfaceOfTheCase) {
+  const time::Setup setup(elastic_case(), MPI_COMM_WORLD);
+  const auto state = time::state_at_rest(setup.grid, true);
+  const auto shape = interface_shape(state.material.phi, setup.grid, setup.decomposition);
+  EXPECT_NEAR(shape.mean, 2, 1e-14);
+  EXPECT_NEAR(shape.rms, 0, 1e-14);
+  EXPECT_NEAR(shape.max_deviation, 0, 1e-14);
+}
+
+TEST(Interface, WidthInCells) {
+  const time::Setup setup(elastic_case(), MPI_COMM_WORLD);  // dy = 1/8
+  const auto& g = setup.grid;
+  const auto sharp = time::state_at_rest(g, true);
+  EXPECT_NEAR(interface_width(sharp.material.phi, g, setup.decomposition), 0.8, 1e-13);
+  const auto wide = solid_above(g, 1.5, [](double x, double) { return 1.5 + 0.05 * std::sin(kPi * x / 2); });
+  EXPECT_NEAR(interface_width(wide, g, setup.decomposition), 0.8 * 1.5 * 8, 1e-12);
+}
+
+TEST(Interface, IsFoundFromTheSolidSide) {
+  const time::Setup setup(elastic_case(), MPI_COMM_WORLD);
+  const auto& g = setup.grid;
+  auto phi = solid_above(g, 0.5, [](double, double) { return 1.875; });
+  for_columns(g, 3, 5, [&](int i, int j, int k, double, double) { phi(i, j, k) = 1; });  // a drop of solid
+  EXPECT_NEAR(interface_shape(phi, g, setup.decomposition).mean, 1.875, 1e-13);
+}
+
+TEST(Interface, ColumnsWithoutACrossingEndAtAWall) {
+  const time::Setup setup(elastic_case(), MPI_COMM_WORLD);
+  const auto& g = setup.grid;
+  grid::Field phi(g, 3);
+  EXPECT_NEAR(interface_shape(phi, g, setup.decomposition).mean, 2.5, 1e-14);
+  for_columns(g, 0, g.ny, [&](int i, int j, int k, double, double) { phi(i, j, k) = 1; });
+  EXPECT_NEAR(interface_shape(phi, g, setup.decomposition).mean, 0, 1e-14);
+}
+
+TEST(Interface, AValueEqualToTheLevelIsSolid) {
+  const time::Setup setup(elastic_case(), MPI_COMM_WORLD);
+  const auto& g = setup.grid;
+  grid::Field phi(g, 3);
+  for_columns(g, 10, g.ny, [&](int i, int j, int k, double, double) { phi(i, j, k) = j == 10 ? 0.5 : 1; });
+  EXPECT_NEAR(interface_shape(phi, g, setup.decomposition).mean, g.y_center[10], 1e-14);
+}
+
+}  // namespace
+}  // namespace softwall::statistics

@@ -1,0 +1,82 @@
+#include "solver/statistics/solid_health.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/statistics/flows.hpp"
+
+namespace softwall::statistics {
+namespace {
+
+using namespace testing;
+
+TEST(SolidHealth, OfALayerAtRest) {
+  time::Setup setup(elastic_case(), MPI_COMM_WORLD);
+  auto s = time::state_at_rest(setup.grid, true);
+  time::start(s, setup);
+  const auto health = solid_health(s, setup);
+  EXPECT_EQ(health.min_eigenvalue, 1);
+  EXPECT_EQ(health.max_det_error, 0);
+  EXPECT_NEAR(health.interface_width_cells, 0.8, 1e-13);
+  EXPECT_NEAR(health.solid_volume, 0.5 * 4 * 3, 1e-13);
+}
+
+TEST(SolidHealth, OfASimpleShearIsKnown) {
+  // B = F F^T with F = [1 g; 0 1]: eigenvalues 1 and 1 + g^2/2 -+ g sqrt(1 + g^2/4), determinant 1.
+  time::Setup setup(elastic_case(), MPI_COMM_WORLD);
+  const auto& g = setup.grid;
+  auto s = time::state_at_rest(g, true);
+  const double shear = 0.8;
+  for_columns(g, g.ny_fluid - 8, g.ny, [&](int i, int j, int k, double, double) {
+    s.material.B.xx(i, j, k) = 1 + shear * shear;
+    s.material.B.xy(i, j, k) = shear;
+  });
+  for_columns(g, g.ny, g.ny + 1,
+              [&](int i, int j, int k, double, double) { s.material.B.xy(i, j, k) = shear; });
+  time::start(s, setup);
+  const auto health = solid_health(s, setup);
+  EXPECT_NEAR(health.min_eigenvalue, 1 + shear * shear / 2 - shear * std::sqrt(1 + shear * shear / 4), 1e-13);
+  EXPECT_NEAR(health.max_det_error, 0, 1e-14);
+}
+
+TEST(SolidHealth, FindsTheOneWorstCellWhereverItIs) {
+  for (int worst = 0; worst < 8 * 6; worst += 5) {
+    time::Setup setup(elastic_case(), MPI_COMM_WORLD);
+    const auto& g = setup.grid;
+    auto s = time::state_at_rest(g, true);
+    for_columns(g, g.ny - 2, g.ny - 1, [&](int i, int j, int k, double, double) {
+      const bool here = (g.z_begin + k) * g.nx_global + g.x_begin + i == worst;
+      s.material.B.zz(i, j, k) = here ? 0.25 : 0.5;
+    });
+    time::start(s, setup);
+    const auto health = solid_health(s, setup);
+    EXPECT_NEAR(health.min_eigenvalue, 0.25, 1e-14);
+    EXPECT_NEAR(health.max_det_error, 0.75, 1e-14);
+  }
+}
+
+TEST(SolidHealth, DeterminantsOfPartlyFilledCellsDoNotCount) {
+  time::Setup setup(elastic_case(), MPI_COMM_WORLD);
+  const auto& g = setup.grid;
+  auto s = time::state_at_rest(g, true);
+  time::start(s, setup);
+  for_columns(g, g.ny_fluid, g.ny_fluid + 1, [&](int i, int j, int k, double, double) {
+    s.material.phi(i, j, k) = 0.5;
+    s.material.B.xx(i, j, k) = 0.125;
+  });
+  const auto health = solid_health(s, setup);
+  EXPECT_EQ(health.max_det_error, 0);
+  EXPECT_NEAR(health.min_eigenvalue, 0.125, 1e-14);
+}
+
+TEST(SolidHealth, DoesNotDependOnTheNumberOfRanks) {
+  time::Setup together(elastic_case(), MPI_COMM_WORLD), alone(elastic_case(), MPI_COMM_SELF);
+  const auto here = solid_health(rough_state(together), together);
+  const auto there = solid_health(rough_state(alone), alone);
+  EXPECT_NEAR(here.min_eigenvalue, there.min_eigenvalue, 1e-13);
+  EXPECT_NEAR(here.max_det_error, there.max_det_error, 1e-13);
+  EXPECT_NEAR(here.interface_width_cells, there.interface_width_cells, 1e-12);
+  EXPECT_NEAR(here.solid_volume, there.solid_volume, 1e-13);
+}
+
+}  // namespace
+}  // namespace softwall::statistics

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <numbers>
+
+#include "solver/time/advance.hpp"
+#include "solver/time/initial.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/physics.hpp"
+
+/// Starting states that are far from simple, and ways to compare where they lead.
+namespace softwall::support {
+
+/// Smooth, three-dimensional, not symmetric in anything, small at the walls; in an elastic case the layer
+/// moves as well. The divergence goes with the first projection.
+inline void set_smooth_flow(time::State& s, const time::Setup& setup) {
+  const auto& g = setup.grid;
+  constexpr double tau = 2 * std::numbers::pi;
+  const auto phase = [&](double x, double z) {
+    return std::pair(tau * x / g.length_x, tau * z / g.length_z);
+  };
+  const auto bump = [&](double y) { return std::sin(std::numbers::pi * y / g.height); };
+  set_by_position(s.velocity.x, g, kFaceX, [&](double x, double y, double z) {
+    const auto [a, c] = phase(x, z);
+    return bump(y) * (1.2 + 0.4 * std::sin(a + 0.3) * std::cos(c) + 0.2 * std::cos(2 * c + y));
+  });
+  set_by_position(s.velocity.y, g, kFaceY, [&](double x, double y, double z) {
+    const auto [a, c] = phase(x, z);
+    return bump(y) * bump(y) * (0.3 * std::cos(a - c) + 0.2 * std::sin(2 * c + 1));
+  });
+  set_by_position(s.velocity.z, g, kFaceZ, [&](double x, double y, double z) {
+    const auto [a, c] = phase(x, z);
+    return bump(y) * (0.3 * std::sin(2 * a + c) + 0.2 * std::cos(c - y));
+  });
+}
+
+/// A ready state of the case with the smooth flow in it: solenoidal, its flow rate held if the case holds it.
+inline time::State smooth_state(time::Setup& setup) {
+  time::State s = time::state_at_rest(setup.grid, setup.solid.has_value());
+  set_smooth_flow(s, setup);
+  time::make_solenoidal(s, setup);
+  return s;
+}
+
+/// Every number of a state, fields one after another, the same on all ranks.
+inline std::vector<std::vector<double>> all_fields(time::State& s, const time::Setup& setup) {
+  std::vector<std::vector<double>> values;
+  for (const auto& f : time::fields_of(s)) {
+    values.push_back(global_values(*f.field, setup.grid, f.rows, setup.decomposition.all()));
+  }
+  return values;
+}
+
+/// The three components of velocity in one row of numbers.
+inline std::vector<double> all_velocity(const time::State& s, const time::Setup& setup) {
+  std::vector<double> values;
+  for (const Field* f : {&s.velocity.x, &s.velocity.y, &s.velocity.z}) {
+    const auto part = global_values(*f, setup.grid, setup.grid.ny, setup.decomposition.all());
+    values.insert(values.end(), part.begin(), part.end());
+  }
+  return values;
+}
+
+}  // namespace softwall::support

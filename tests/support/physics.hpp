@@ -1,0 +1,56 @@
+#pragma once
+
+#include "solver/time/setup.hpp"
+
+/// Small cases, built by hand.
+namespace softwall::support {
+
+struct Cells {
+  int nx, ny_fluid, ny_solid, nz;
+};
+
+/// 0 < y < 2 between rigid walls, 3 x 1.5 wide, Re = 100, uniform.
+inline Physics rigid_channel(Cells n) {
+  Physics p;
+  p.flow = FlowType::kRigidChannel;
+  p.reynolds = 100;
+  p.length_x = 3;
+  p.length_z = 1.5;
+  p.grid.nx = n.nx;
+  p.grid.ny_fluid = n.ny_fluid;
+  p.grid.ny_solid = n.ny_solid;
+  p.grid.nz = n.nz;
+  p.time_step.safety = 0.8;
+  p.initial.amplitude = 0.3;
+  p.initial.seed = 7;
+  return p;
+}
+
+/// The same under an elastic layer of ny_solid rows, G = 1, with the schema's threshold and floor.
+inline Physics elastic_channel(Cells n) {
+  Physics p = rigid_channel(n);
+  p.flow = FlowType::kElasticWall;
+  p.layer_height = 2.0 * n.ny_solid / n.ny_fluid;
+  p.solid = SolidSpec{
+      .G = 1, .viscosity_ratio = 1, .weno = WenoWeights::kZ, .threshold = 0.9, .min_eigenvalue = 1e-4};
+  return p;
+}
+
+/// A box that the solid fills from wall to wall (0 < y < 2), undeformed: for the material's own dynamics.
+inline Physics solid_box(Cells n) {
+  Physics p = elastic_channel({n.nx, n.ny_fluid, 0, n.nz});
+  p.layer_height = 0;
+  return p;
+}
+
+/// phi = 1 and B = identity everywhere.
+inline solid::Material solid_everywhere(const grid::Grid& g) {
+  solid::Material m(g);
+  for (grid::Field* one : {&m.phi, &m.B.xx, &m.B.yy, &m.B.zz}) {
+    const auto q = one->view();
+    grid::for_each_cell(grid::all_cells(g), [=](int i, int j, int k) { q(i, j, k) = 1; });
+  }
+  return m;
+}
+
+}  // namespace softwall::support

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "solver/solid/material.hpp"
+#include "solver/solid/stretching.hpp"
+#include "tests/support/momentum_views.hpp"
+
+namespace softwall::support {
+
+/// The stretching kernels' input; phi = 1 serves as the mark of edges in the solid.
+inline solid::Stretching stretching(const solid::Material& m, const VectorField& velocity, const Grid& g) {
+  return {velocity.x.view(), velocity.y.view(), velocity.z.view(), m.B.xx.view(),        m.B.yy.view(),
+          m.B.zz.view(),     m.B.xy.view(),     m.B.xz.view(),     m.B.yz.view(),        m.phi.view(),
+          m.phi.view(),      m.phi.view(),      g.inv_dy.data(),   g.inv_dy_face.data(), g.dy.data(),
+          g.dy_face.data(),  1 / g.dx,          1 / g.dz};
+}
+
+/// B the same in every cell, ghost cells too; phi = 1.
+inline solid::Material uniform_material(const Grid& g, const double (&B)[3][3]) {
+  solid::Material m(g);
+  const auto fill = [&](Field& f, double value) {
+    set_everywhere(f, g, kCenter, [=](double, double, double) { return value; });
+  };
+  fill(m.phi, 1);
+  fill(m.B.xx, B[0][0]);
+  fill(m.B.yy, B[1][1]);
+  fill(m.B.zz, B[2][2]);
+  fill(m.B.xy, B[0][1]);
+  fill(m.B.xz, B[0][2]);
+  fill(m.B.yz, B[1][2]);
+  return m;
+}
+
+}  // namespace softwall::support

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include "tests/support/flows.hpp"
+#include "tests/support/order.hpp"
+
+// Order in time of the whole step, on a fixed grid, by Richardson: no exact solution needed.
+namespace softwall::time {
+namespace {
+
+std::vector<double> velocity_at_end(const Physics& p, int steps, bool driven) {
+  time::Setup setup(p, MPI_COMM_WORLD);
+  if (!driven) setup.bulk_velocity.reset();
+  State s = support::smooth_state(setup);
+  for (int step = 0; step < steps; ++step) advance(s, setup, 0.5 / steps);
+  return support::all_velocity(s, setup);
+}
+
+double order(const Physics& p, int steps, bool driven) {
+  return support::richardson_order(velocity_at_end(p, steps, driven), velocity_at_end(p, 2 * steps, driven),
+                                   velocity_at_end(p, 4 * steps, driven));
+}
+
+Physics channel(double reynolds, double stretching) {
+  Physics p = support::rigid_channel({12, 10, 0, 8});
+  p.reynolds = reynolds;
+  p.grid.stretching = stretching;
+  return p;
+}
+
+TEST(OrderInTime, AdvectionIsThird) {
+  for (const double stretching : {0.0, 1.5}) EXPECT_NEAR(order(channel(1e6, stretching), 10, false), 3, 0.15);
+}
+
+TEST(OrderInTime, ViscosityIsThird) { EXPECT_NEAR(order(channel(4, 0), 40, false), 3, 0.15); }
+
+TEST(OrderInTime, BothTogetherWithTheFlowRateHeldAreThird) {
+  EXPECT_NEAR(order(channel(50, 1.2), 16, true), 3, 0.15);
+}
+
+TEST(OrderInTime, ElasticCouplingIsSecondAtLeast) {
+  // A solid box deforms smoothly. (The limiter is never called for, threshold and band have nothing to do.)
+  Physics p = support::solid_box({12, 10, 0, 8});
+  p.solid->G = 2;
+  const auto solid_at_end = [&](int steps) {
+    time::Setup setup(p, MPI_COMM_WORLD);
+    setup.bulk_velocity.reset();
+    State s = state_at_rest(setup.grid, true);
+    s.material = support::solid_everywhere(setup.grid);
+    support::set_smooth_flow(s, setup);
+    make_solenoidal(s, setup);
+    for (int step = 0; step < steps; ++step) advance(s, setup, 0.25 / steps);
+    EXPECT_EQ(setup.solid->limited_cells(), 0);
+    return support::all_velocity(s, setup);
+  };
+  const double seen = support::richardson_order(solid_at_end(32), solid_at_end(64), solid_at_end(128));
+  EXPECT_GT(seen, 1.9);
+}
+
+}  // namespace
+}  // namespace softwall::time
