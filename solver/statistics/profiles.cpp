@@ -12,7 +12,6 @@ namespace {
 using analysis::Location;
 using grid::Grid;
 using grid::Real;
-using grid::View;
 
 constexpr std::array<ProfileKind, kProfileCount> kKinds = {{
     {"u", Location::kCenter, "", ""},
