@@ -166,6 +166,7 @@ Observation observe(const CampaignCase& campaign_case, const RunFiles& run) {
   if (is_occupied(run)) {
     observation.running = true;
     observation.state = CaseState::kRunning;
+    observation.reason.clear();  // it spoke of an end that is over
     if (const auto status = read_status(run, observation.case_id)) {
       observation.seconds_per_step = status->seconds_per_step;
     }

@@ -76,13 +76,16 @@ TEST_F(ObserveTest, DivergedStaysDiverged) {
 }
 
 TEST_F(ObserveTest, AHeldSolverLockMeansRunning) {
+  test::write_checkpoint(run_, id_, 10, 1.0);
   folder_.write(run_.lock(), "");
   const int lock = open(run_.lock().c_str(), O_RDWR | O_CLOEXEC);
   ASSERT_EQ(flock(lock, LOCK_EX), 0);
   EXPECT_TRUE(look().running);
   EXPECT_EQ(look().state, CaseState::kRunning);
+  EXPECT_EQ(look().reason, "") << "what runs has not ended";
   close(lock);
   EXPECT_FALSE(look().running);
+  EXPECT_EQ(look().reason, "ended without a word");
 }
 
 TEST_F(ObserveTest, AnEndIsToldByTheSummaryOfThatAttemptOrElseByTheExitStatus) {
