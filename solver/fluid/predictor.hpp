@@ -15,7 +15,8 @@ class Predictor {
  public:
   Predictor(const Grid& grid, Real viscosity);
 
-  /// Replaces `velocity` by u*. Ghost cells are read from the old velocity and not filled in the new one.
+  /// Replaces `velocity` by u*. Ghost cells are read from the old velocity and not filled in the new one,
+  /// save that the wall-normal component is 0 on the walls.
   void advance(grid::VectorField& velocity, const grid::Field& pressure, const SolidInput& solid,
                const Stage& stage, Real dt);
 

@@ -29,68 +29,63 @@ std::size_t cells(const Box& b) {
          static_cast<std::size_t>(b.k1 - b.k0);
 }
 
-}  // namespace
-
-/// One shift of the exchange: every rank sends the box `from` of each field and receives into `to`.
-struct Halo::Shift {
-  const parallel::Communicator& line;
-  int direction;                       ///< +1: to the next rank of the line, -1: to the previous one
-  Box (*from)(const Field&, RowSpan);  ///< interior cells beside the boundary
-  Box (*to)(const Field&, RowSpan);    ///< ghost cells beyond the opposite boundary
+/// What travels to fill one side: the cells `from` of each field, on every rank, to the ghost cells `to` of
+/// its neighbour in `direction` along a line of ranks.
+struct Shift {
+  Box from, to;
+  int direction;
 };
+
+/// In z the ghost columns in x travel too, so that edges and corners are right.
+Shift shift_to(Side side, const Field& f, RowSpan r) {
+  const int ghost = f.ghost(), nx = f.nx(), nz = f.nz();
+  const auto x = [&](int i0, int i1) { return Box{i0, i1, r.j0, r.j1, 0, nz}; };
+  const auto z = [&](int k0, int k1) { return Box{-ghost, nx + ghost, r.j0, r.j1, k0, k1}; };
+  switch (side) {
+    case Side::kLowX:
+      return {x(nx - ghost, nx), x(-ghost, 0), +1};
+    case Side::kHighX:
+      return {x(0, ghost), x(nx, nx + ghost), -1};
+    case Side::kLowZ:
+      return {z(nz - ghost, nz), z(-ghost, 0), +1};
+    default:
+      return {z(0, ghost), z(nz, nz + ghost), -1};
+  }
+}
+
+}  // namespace
 
 Halo::Halo(const parallel::Decomposition& decomposition) : decomposition_(decomposition) {}
 
-void Halo::shift(const Shift& s, std::initializer_list<Field*> fields, RowSpan rows) {
+void Halo::fill_side(Side side, std::initializer_list<Field*> fields, RowSpan rows) {
   std::size_t total = 0;
-  for (const Field* f : fields) total += cells(s.from(*f, rows));
+  for (const Field* f : fields) total += cells(shift_to(side, *f, rows).from);
   if (send_.size() < total) {
     send_.resize(total);
     receive_.resize(total);
   }
   std::size_t n = 0;
-  for (Field* f : fields) n += copy_box<true>(*f, s.from(*f, rows), send_.data() + n);
-  const int ranks = s.line.size(), rank = s.line.rank();
-  const Real* arrived = send_.data();
+  for (Field* f : fields) n += copy_box<true>(*f, shift_to(side, *f, rows).from, send_.data() + n);
+  const bool in_x = side == Side::kLowX || side == Side::kHighX;
+  const auto& line = in_x ? decomposition_.x_line() : decomposition_.z_line();
+  const int ranks = line.size(), rank = line.rank();
+  Real* arrived = send_.data();
   if (ranks > 1) {
-    const int next = (rank + s.direction + ranks) % ranks, previous = (rank - s.direction + ranks) % ranks;
+    const int direction = shift_to(side, **fields.begin(), rows).direction;
+    const int next = (rank + direction + ranks) % ranks, previous = (rank - direction + ranks) % ranks;
     const auto type = parallel::mpi_type<Real>();
     parallel::check(MPI_Sendrecv(send_.data(), static_cast<int>(total), type, next, 0, receive_.data(),
-                                 static_cast<int>(total), type, previous, 0, s.line.get(), MPI_STATUS_IGNORE),
+                                 static_cast<int>(total), type, previous, 0, line.get(), MPI_STATUS_IGNORE),
                     "MPI_Sendrecv");
     arrived = receive_.data();
   }
   n = 0;
-  for (Field* f : fields) n += copy_box<false>(*f, s.to(*f, rows), const_cast<Real*>(arrived) + n);
+  for (Field* f : fields) n += copy_box<false>(*f, shift_to(side, *f, rows).to, arrived + n);
 }
 
 void Halo::fill(std::initializer_list<Field*> fields, RowSpan rows) {
-  const auto& x = decomposition_.x_line();
-  const auto& z = decomposition_.z_line();
-  shift({x, +1,
-         [](const Field& f, RowSpan r) { return Box{f.nx() - f.ghost(), f.nx(), r.j0, r.j1, 0, f.nz()}; },
-         [](const Field& f, RowSpan r) { return Box{-f.ghost(), 0, r.j0, r.j1, 0, f.nz()}; }},
-        fields, rows);
-  shift({x, -1, [](const Field& f, RowSpan r) { return Box{0, f.ghost(), r.j0, r.j1, 0, f.nz()}; },
-         [](const Field& f, RowSpan r) { return Box{f.nx(), f.nx() + f.ghost(), r.j0, r.j1, 0, f.nz()}; }},
-        fields, rows);
-  // In z the ghost columns in x travel too, so that edges and corners are right.
-  shift({z, +1,
-         [](const Field& f, RowSpan r) {
-           return Box{-f.ghost(), f.nx() + f.ghost(), r.j0, r.j1, f.nz() - f.ghost(), f.nz()};
-         },
-         [](const Field& f, RowSpan r) {
-           return Box{-f.ghost(), f.nx() + f.ghost(), r.j0, r.j1, -f.ghost(), 0};
-         }},
-        fields, rows);
-  shift({z, -1,
-         [](const Field& f, RowSpan r) {
-           return Box{-f.ghost(), f.nx() + f.ghost(), r.j0, r.j1, 0, f.ghost()};
-         },
-         [](const Field& f, RowSpan r) {
-           return Box{-f.ghost(), f.nx() + f.ghost(), r.j0, r.j1, f.nz(), f.nz() + f.ghost()};
-         }},
-        fields, rows);
+  for (const Side side : {Side::kLowX, Side::kHighX, Side::kLowZ, Side::kHighZ})
+    fill_side(side, fields, rows);
 }
 
 void Halo::fill(std::initializer_list<Field*> fields) {

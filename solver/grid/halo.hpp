@@ -16,6 +16,9 @@ struct RowSpan {
   int j0 = 0, j1 = 0;
 };
 
+/// One side of every rank's box.
+enum class Side { kLowX, kHighX, kLowZ, kHighZ };
+
 class Halo {
  public:
   explicit Halo(const parallel::Decomposition& decomposition);
@@ -24,11 +27,11 @@ class Halo {
   void fill(std::initializer_list<Field*> fields, RowSpan rows);
   /// The same in all rows, those beyond the walls included; the fields have equally many ghost layers.
   void fill(std::initializer_list<Field*> fields);
+  /// Fills only the ghost layers beyond one side, beside interior cells (z sides: beside the ghost columns in
+  /// x, too): half a message, for stencils that look one way.
+  void fill_side(Side side, std::initializer_list<Field*> fields, RowSpan rows);
 
  private:
-  struct Shift;
-  void shift(const Shift& s, std::initializer_list<Field*> fields, RowSpan rows);
-
   const parallel::Decomposition& decomposition_;
   std::vector<Real> send_, receive_;
 };

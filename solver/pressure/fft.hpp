@@ -18,6 +18,7 @@ using Complex = std::complex<double>;
 template <class T>
 class Aligned {
  public:
+  Aligned() = default;
   explicit Aligned(std::size_t n) : size_(n), data_(static_cast<T*>(fftw_malloc((n + 1) * sizeof(T)))) {
     if (!data_) throw std::bad_alloc();
     std::uninitialized_fill_n(data_.get(), n, T{});
@@ -29,35 +30,44 @@ class Aligned {
   struct Free {
     void operator()(T* p) const { fftw_free(p); }
   };
-  std::size_t size_;
+  std::size_t size_ = 0;
   std::unique_ptr<T[], Free> data_;
 };
 
-/// One planned transform; executes on the arrays it was planned for. A default plan does nothing (a rank
-/// without modes).
-class Plan {
+/// The next length at which every row of an array of T is aligned like the first, for FFTW's vector code.
+template <class T>
+[[nodiscard]] constexpr int padded(int n) {
+  constexpr int kLine = 64 / sizeof(T);
+  return (n + kLine - 1) / kLine * kLine;
+}
+
+struct DestroyPlan {
+  void operator()(fftw_plan p) const { fftw_destroy_plan(p); }
+};
+using PlanOwner = std::unique_ptr<std::remove_pointer_t<fftw_plan>, DestroyPlan>;
+
+/// One row of n real numbers <-> n / 2 + 1 coefficients. Rows start at aligned addresses; the real row and,
+/// on the way back, the coefficients are overwritten.
+class RealRowTransform {
  public:
-  Plan() = default;
-  explicit Plan(fftw_plan plan) : plan_(plan) {
-    if (!plan_) throw std::runtime_error("FFTW cannot plan this transform");
-  }
-  void execute() const {
-    if (plan_) fftw_execute(plan_.get());
-  }
+  explicit RealRowTransform(int n);
+  void forward(double* row, Complex* coefficients) const;
+  void backward(Complex* coefficients, double* row) const;
 
  private:
-  struct Destroy {
-    void operator()(fftw_plan p) const { fftw_destroy_plan(p); }
-  };
-  std::unique_ptr<std::remove_pointer_t<fftw_plan>, Destroy> plan_;
+  PlanOwner forward_, backward_;
 };
 
-/// `rows` consecutive real rows of length n <-> rows of n/2 + 1 complex coefficients.
-[[nodiscard]] Plan plan_real_to_complex(int n, int rows, double* real, Complex* complex);
-[[nodiscard]] Plan plan_complex_to_real(int n, int rows, Complex* complex, double* real);
+/// `rows` rows of n complex numbers, `stride` apart, in place; not normalised either way.
+class ComplexRowsTransform {
+ public:
+  ComplexRowsTransform(int n, int rows, int stride);
+  void forward(Complex* rows) const { execute(forward_, rows); }
+  void backward(Complex* rows) const { execute(backward_, rows); }
 
-/// In place along the slowest axis: `columns` interleaved sequences of length n, element m of each at stride
-/// `columns`. sign: FFTW_FORWARD or FFTW_BACKWARD.
-[[nodiscard]] Plan plan_columns(int n, int columns, Complex* data, int sign);
+ private:
+  static void execute(const PlanOwner& plan, Complex* rows);
+  PlanOwner forward_, backward_;  ///< empty when there is nothing to transform
+};
 
 }  // namespace softwall::pressure

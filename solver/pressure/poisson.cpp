@@ -1,128 +1,176 @@
 #include "solver/pressure/poisson.hpp"
 
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 
 namespace softwall::pressure {
 
 namespace {
 
-using parallel::Extents;
+using parallel::RowBlock;
 
-/// (2 - 2 cos(2 pi m / n)) / d^2 of the modes in `part`.
-std::vector<double> modified_wavenumbers(int n, double d, parallel::Range part) {
-  std::vector<double> kappa2;
-  for (int m = part.begin; m < part.end; ++m) {
-    const double half = std::sin(std::numbers::pi * m / n);
-    kappa2.push_back(4.0 * half * half / (d * d));
-  }
-  return kappa2;
+/// About as many bytes of coefficients as stay in a core's own cache while a block is worked on.
+constexpr std::ptrdiff_t kBlockBytes = 256 * 1024;
+
+std::ptrdiff_t rows_in_block(int stride, int rows) {
+  const std::ptrdiff_t row_bytes = parallel::Transposition<Complex>::kPlanes * stride * sizeof(Complex);
+  return std::clamp<std::ptrdiff_t>(kBlockBytes / row_bytes, 1, std::max(rows, 1));
 }
-
-Extents with_x(Extents e, int nx) {
-  e[parallel::kX] = nx;
-  return e;
-}
-
-int plane(const Extents& e) { return e[parallel::kY] * e[parallel::kX]; }
 
 }  // namespace
 
 Poisson::Poisson(const Grid& g, const parallel::Decomposition& d)
     : grid_(g),
+      transform_x_(g.nx_global, g.dx),
       columns_to_x_(d.x_line(), {g.nz, g.ny, g.nx}, parallel::kY, parallel::kX, g.nx_global),
-      x_to_z_(d.z_line(), with_x(columns_to_x_.after(), g.nx_global / 2 + 1), parallel::kX, parallel::kZ,
-              g.nz_global),
-      z_to_y_(d.x_line(), x_to_z_.after(), parallel::kZ, parallel::kY, g.ny),
-      columns_(columns_to_x_.volume(columns_to_x_.before())),
-      x_whole_(columns_to_x_.trivial() ? 0 : columns_to_x_.volume(columns_to_x_.after())),
-      x_spectrum_(x_to_z_.volume(x_to_z_.before())),
-      z_whole_(x_to_z_.trivial() ? 0 : x_to_z_.volume(x_to_z_.after())),
-      y_whole_(z_to_y_.trivial() ? 0 : z_to_y_.volume(z_to_y_.after())),
-      forward_x_(plan_real_to_complex(g.nx_global, columns_to_x_.after()[0] * columns_to_x_.after()[1],
-                                      columns_to_x_.trivial() ? columns_.data() : x_whole_.data(),
-                                      x_spectrum_.data())),
-      backward_x_(plan_complex_to_real(g.nx_global, columns_to_x_.after()[0] * columns_to_x_.after()[1],
-                                       x_spectrum_.data(),
-                                       columns_to_x_.trivial() ? columns_.data() : x_whole_.data())),
-      forward_z_(plan_columns(g.nz_global, plane(x_to_z_.after()),
-                              x_to_z_.trivial() ? x_spectrum_.data() : z_whole_.data(), FFTW_FORWARD)),
-      backward_z_(plan_columns(g.nz_global, plane(x_to_z_.after()),
-                               x_to_z_.trivial() ? x_spectrum_.data() : z_whole_.data(), FFTW_BACKWARD)) {
-  const auto modes_x = parallel::share(g.nx_global / 2 + 1, d.pz(), d.z_line().rank());
+      rows_(columns_to_x_.after()[parallel::kY]),
+      turn_(d.z_line(), transform_x_.modes(), rows_, g.nz_global),
+      z_to_y_(d.x_line(), {turn_.own_modes().size(), rows_, g.nz_global}, parallel::kX, parallel::kY, g.ny),
+      row_stride_(padded<Complex>(transform_x_.modes())),
+      mode_stride_(padded<Complex>(g.nz_global)),
+      transform_z_(g.nz_global, rows_, mode_stride_),
+      tridiagonals_(g, 2 * static_cast<std::size_t>(g.nz_global)),
+      row_(static_cast<std::size_t>(g.nx_global)),
+      block_(static_cast<std::size_t>(rows_in_block(row_stride_, rows_) * row_stride_) *
+             parallel::Transposition<Complex>::kPlanes),
+      plane_(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(mode_stride_)) {
   const auto modes_z = parallel::share(g.nz_global, d.px(), d.x_line().rank());
-  kappa2_x_ = modified_wavenumbers(g.nx_global, g.dx, modes_x);
-  kappa2_z_ = modified_wavenumbers(g.nz_global, g.dz, modes_z);
-  holds_mean_ = modes_x.begin == 0 && modes_x.size() > 0 && modes_z.begin == 0 && modes_z.size() > 0;
-  for (int j = 0; j < g.ny; ++j) {
-    lower_.push_back(j > 0 ? g.inv_dy[j] * g.inv_dy_face[j] : 0.0);
-    upper_.push_back(j < g.ny - 1 ? g.inv_dy[j] * g.inv_dy_face[j + 1] : 0.0);
+  for (int m = turn_.own_modes().begin; m < turn_.own_modes().end; ++m)
+    kappa2_x_.push_back(transform_x_.wavenumber_squared(m));
+  for (int m = modes_z.begin; m < modes_z.end; ++m)
+    kappa2_z_.insert(kappa2_z_.end(), 2, periodic_wavenumber_squared(m, g.nz_global, g.dz));
+  holds_mean_ = turn_.own_modes().begin == 0 && modes_z.begin == 0 && modes_z.size() > 0;
+  if (columns_to_x_.trivial()) return;
+  columns_.resize(columns_to_x_.volume(columns_to_x_.before()));
+  x_whole_.resize(columns_to_x_.volume(columns_to_x_.after()));
+  z_whole_.resize(z_to_y_.volume(z_to_y_.before()));
+  y_whole_.resize(z_to_y_.volume(z_to_y_.after()));
+}
+
+void Poisson::solve(const GiveRow& give, const TakeRow& take) {
+  if (columns_to_x_.trivial()) {
+    transform_rows(give);
+    turn_.to_modes();
+    for (int mode = 0; mode < turn_.own_modes().size(); ++mode) {
+      forward_in_z(mode);
+      solve_systems(plane_.data(), mode_stride_, mode);
+      backward_in_z(mode);
+    }
+    turn_.to_planes();
+    transform_back(take);
+  } else {
+    gather_rows(give);
+    transform_rows([this](int j, int k, Real* row) { std::copy_n(whole_row(j, k), grid_.nx_global, row); });
+    turn_.to_modes();
+    solve_with_shared_rows();
+    turn_.to_planes();
+    transform_back(
+        [this](int j, int k, const Real* row) { std::copy_n(row, grid_.nx_global, whole_row(j, k)); });
+    scatter_rows(take);
   }
-  factor_.resize(static_cast<std::size_t>(g.ny) * kappa2_x_.size());
 }
 
-void Poisson::solve() {
-  if (!columns_to_x_.trivial()) columns_to_x_.forward(columns_.data(), x_whole_.data());
-  forward_x_.execute();
-  Complex* spectrum = x_spectrum_.data();
-  if (!x_to_z_.trivial()) x_to_z_.forward(std::exchange(spectrum, z_whole_.data()), z_whole_.data());
-  forward_z_.execute();
-  Complex* const z_spectrum = spectrum;
-  if (!z_to_y_.trivial()) z_to_y_.forward(std::exchange(spectrum, y_whole_.data()), y_whole_.data());
-
-  solve_tridiagonals(spectrum);
-
-  if (!z_to_y_.trivial()) z_to_y_.backward(y_whole_.data(), z_spectrum);
-  backward_z_.execute();
-  if (!x_to_z_.trivial()) x_to_z_.backward(z_whole_.data(), x_spectrum_.data());
-  backward_x_.execute();
-  if (!columns_to_x_.trivial()) columns_to_x_.backward(x_whole_.data(), columns_.data());
+/// A few rows of a few planes at a time.
+template <class Work>
+void Poisson::for_each_block(const Work& work) const {
+  constexpr int kPlanes = parallel::Transposition<Complex>::kPlanes;
+  const int chunk = static_cast<int>(rows_in_block(row_stride_, rows_));
+  for (int k = 0; k < grid_.nz; k += kPlanes) {
+    for (int j = 0; j < rows_; j += chunk)
+      work(RowBlock{k, std::min(k + kPlanes, grid_.nz), j, std::min(j + chunk, rows_)});
+  }
 }
 
-void Poisson::solve_tridiagonals(Complex* spectrum) {
-  const std::size_t plane_size = static_cast<std::size_t>(grid_.ny) * kappa2_x_.size();
-  for (std::size_t kz = 0; kz < kappa2_z_.size(); ++kz) eliminate(spectrum + kz * plane_size, kappa2_z_[kz]);
-  if (!holds_mean_) return;
-  // The mean mode is determined up to a constant: elimination fixed the top row to 0, now remove the mean.
-  const std::size_t modes = kappa2_x_.size();
+void Poisson::transform_rows(const GiveRow& give) {
+  for_each_block([&](const RowBlock& b) {
+    Complex* coefficients = block_.data();
+    for (int k = b.k0; k < b.k1; ++k) {
+      for (int j = b.j0; j < b.j1; ++j, coefficients += row_stride_) {
+        give(j, k, row_.data());
+        transform_x_.forward(row_.data(), coefficients);
+      }
+    }
+    turn_.pack(b, block_.data(), row_stride_);
+  });
+}
+
+void Poisson::transform_back(const TakeRow& take) {
+  for_each_block([&](const RowBlock& b) {
+    turn_.unpack(b, block_.data(), row_stride_);
+    Complex* coefficients = block_.data();
+    for (int k = b.k0; k < b.k1; ++k) {
+      for (int j = b.j0; j < b.j1; ++j, coefficients += row_stride_) {
+        transform_x_.backward(coefficients, row_.data());
+        take(j, k, row_.data());
+      }
+    }
+  });
+}
+
+/// One mode in x goes through plane_: (y, z).
+void Poisson::forward_in_z(int mode) {
+  turn_.load(mode, plane_.data(), mode_stride_);
+  transform_z_.forward(plane_.data());
+}
+
+void Poisson::backward_in_z(int mode) {
+  transform_z_.backward(plane_.data());
+  turn_.store(mode, plane_.data(), mode_stride_);
+}
+
+void Poisson::solve_systems(Complex* plane, std::ptrdiff_t stride, int mode) {
+  const double scale = 1 / (transform_x_.gain() * grid_.nz_global);
+  tridiagonals_.solve(reinterpret_cast<double*>(plane), 2 * stride, kappa2_x_[static_cast<std::size_t>(mode)],
+                      kappa2_z_, scale);
+  if (mode == 0 && holds_mean_) remove_mean(plane, stride);
+}
+
+/// The mean mode is determined up to a constant.
+void Poisson::remove_mean(Complex* plane, std::ptrdiff_t stride) const {
   Complex mean = 0.0;
-  for (int j = 0; j < grid_.ny; ++j)
-    mean += spectrum[static_cast<std::size_t>(j) * modes] * grid_.dy[j] / grid_.height;
-  for (int j = 0; j < grid_.ny; ++j) spectrum[static_cast<std::size_t>(j) * modes] -= mean;
+  for (int j = 0; j < grid_.ny; ++j) mean += plane[j * stride] * grid_.dy[j] / grid_.height;
+  for (int j = 0; j < grid_.ny; ++j) plane[j * stride] -= mean;
 }
 
-/// Thomas algorithm for all x modes of one z mode at once. With the diagonal -(lower + upper + kappa2) the
-/// modified upper diagonal f and the modified right-hand side r obey
-///   f[j] = upper / (lower (1 - f[j-1]) + upper + kappa2),   r[j] = (lower r[j-1] - rhs) / (the same
-///   denominator).
-void Poisson::eliminate(Complex* spectrum, double kappa2_z) {
-  const auto modes = static_cast<std::ptrdiff_t>(kappa2_x_.size());
-  const double scale =
-      1.0 / (double(grid_.nx_global) * grid_.nz_global);  // FFTW's transforms are not normalised
-  auto* const r = reinterpret_cast<double*>(spectrum);
-  double* const f = factor_.data();
-  const double* const kappa2_x = kappa2_x_.data();
-  for (int j = 0; j < grid_.ny; ++j) {
-    const double lower = lower_[static_cast<std::size_t>(j)], upper = upper_[static_cast<std::size_t>(j)];
-    const std::ptrdiff_t row = j * modes, below = j > 0 ? row - modes : row;
-    const double carry = j > 0 ? 1.0 : 0.0;
-#pragma omp simd
-    for (std::ptrdiff_t m = 0; m < modes; ++m) {
-      const double denominator = lower * (1.0 - carry * f[below + m]) + upper + kappa2_x[m] + kappa2_z;
-      const double inverse = denominator > 0.0 ? 1.0 / denominator : 0.0;  // top row of the mean mode
-      f[row + m] = denominator > 0.0 ? upper / denominator : 0.0;          // exactly 1 for the mean mode
-      r[2 * (row + m)] = (lower * carry * r[2 * (below + m)] - scale * r[2 * (row + m)]) * inverse;
-      r[2 * (row + m) + 1] =
-          (lower * carry * r[2 * (below + m) + 1] - scale * r[2 * (row + m) + 1]) * inverse;
-    }
+// What follows is needed only where x is shared, too.
+
+Real* Poisson::whole_row(int j, int k) {
+  return x_whole_.data() + (std::ptrdiff_t(k) * rows_ + j) * grid_.nx_global;
+}
+
+void Poisson::gather_rows(const GiveRow& give) {
+  Real* row = columns_.data();
+  for (int k = 0; k < grid_.nz; ++k) {
+    for (int j = 0; j < grid_.ny; ++j, row += grid_.nx) give(j, k, row);
   }
-  for (int j = grid_.ny - 2; j >= 0; --j) {
-    const std::ptrdiff_t row = j * modes;
-#pragma omp simd
-    for (std::ptrdiff_t m = 0; m < modes; ++m) {
-      r[2 * (row + m)] += f[row + m] * r[2 * (row + modes + m)];
-      r[2 * (row + m) + 1] += f[row + m] * r[2 * (row + modes + m) + 1];
-    }
+  columns_to_x_.forward(columns_.data(), x_whole_.data());
+}
+
+void Poisson::scatter_rows(const TakeRow& take) {
+  columns_to_x_.backward(x_whole_.data(), columns_.data());
+  const Real* row = columns_.data();
+  for (int k = 0; k < grid_.nz; ++k) {
+    for (int j = 0; j < grid_.ny; ++j, row += grid_.nx) take(j, k, row);
+  }
+}
+
+void Poisson::solve_with_shared_rows() {
+  const int modes_x = turn_.own_modes().size(), modes_z = z_to_y_.after()[parallel::kX];
+  const std::ptrdiff_t nz = grid_.nz_global;
+  const auto dense_row = [&](int mode, int j) {
+    return z_whole_.data() + (std::ptrdiff_t(mode) * rows_ + j) * nz;
+  };
+  const auto plane_row = [&](int j) { return plane_.data() + std::ptrdiff_t(j) * mode_stride_; };
+  for (int mode = 0; mode < modes_x; ++mode) {
+    forward_in_z(mode);
+    for (int j = 0; j < rows_; ++j) std::copy_n(plane_row(j), nz, dense_row(mode, j));
+  }
+  z_to_y_.forward(z_whole_.data(), y_whole_.data());
+  for (int mode = 0; mode < modes_x; ++mode)
+    solve_systems(y_whole_.data() + std::ptrdiff_t(mode) * grid_.ny * modes_z, modes_z, mode);
+  z_to_y_.backward(y_whole_.data(), z_whole_.data());
+  for (int mode = 0; mode < modes_x; ++mode) {
+    for (int j = 0; j < rows_; ++j) std::copy_n(dense_row(mode, j), nz, plane_row(j));
+    backward_in_z(mode);
   }
 }
 

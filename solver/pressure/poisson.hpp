@@ -1,10 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "solver/grid/field.hpp"
 #include "solver/parallel/transfer.hpp"
-#include "solver/pressure/fft.hpp"
+#include "solver/parallel/transposition.hpp"
+#include "solver/pressure/fourier_x.hpp"
+#include "solver/pressure/tridiagonal.hpp"
 
 /// Solves the second-order Poisson equation of the staggered grid directly:
 ///   (psi[i+1] - 2 psi[i] + psi[i-1]) / dx^2 + (the same in z)
@@ -14,10 +17,13 @@
 ///   kappa^2 = (2 - 2 cos(2 pi m / n)) / d^2,
 /// so that the divergence of the projected velocity is zero to round-off. The mean of psi is set to zero.
 ///
-/// Layouts (extents z, y, x):   columns   (nz/pz, ny,    nx/px)   the cells of the grid
-///                              x_whole   (nz/pz, ny/px, nx)      real, then nx/2 + 1 complex coefficients
-///                              z_whole   (nz,    ny/px, nkx/pz)
-///                              y_whole   (nz/px, ny,    nkx/pz)  where the tridiagonal systems are solved
+/// What is done while data is in the cache, and what travels (extents slowest first; px = 1 on few ranks):
+///   columns   (nz/pz, ny, nx/px)    the cells of the grid, given and taken row by row
+///     px > 1: x made whole, y shared                                        transfer within a line in x
+///   a few rows                      transform in x, axes turned             transposition within a line in z
+///   a mode    (ny/px, nz)           transform in z
+///     px > 1: y made whole, z modes shared                                  transfer within a line in x
+///   a mode    (ny, nz/px)           tridiagonal systems, and all the way back
 namespace softwall::pressure {
 
 using grid::Grid;
@@ -27,24 +33,45 @@ class Poisson {
  public:
   Poisson(const Grid& grid, const parallel::Decomposition& decomposition);
 
-  /// This rank's right-hand side on entry, psi on return: dense, (nz, ny, nx), x fastest.
-  [[nodiscard]] Real* values() { return columns_.data(); }
-  void solve();
+  /// Writes, or reads, the nx numbers of row (j, k).
+  using GiveRow = std::function<void(int j, int k, Real* row)>;
+  using TakeRow = std::function<void(int j, int k, const Real* row)>;
+
+  /// Asks for each row of the right-hand side once, then hands out each row of psi once; in no promised
+  /// order.
+  void solve(const GiveRow& right_hand_side, const TakeRow& psi);
 
  private:
-  void solve_tridiagonals(Complex* spectrum);
-  void eliminate(Complex* plane, double kappa2_z);
+  template <class Work>
+  void for_each_block(const Work& work) const;
+  void transform_rows(const GiveRow& give);
+  void transform_back(const TakeRow& take);
+  void forward_in_z(int mode);
+  void backward_in_z(int mode);
+  void solve_systems(Complex* plane, std::ptrdiff_t stride, int mode);
+  void remove_mean(Complex* plane, std::ptrdiff_t stride) const;
+  void gather_rows(const GiveRow& give);
+  void scatter_rows(const TakeRow& take);
+  void solve_with_shared_rows();
+  [[nodiscard]] Real* whole_row(int j, int k);
 
   const Grid& grid_;
+  FourierX transform_x_;
   parallel::Transfer<double> columns_to_x_;
-  parallel::Transfer<Complex> x_to_z_, z_to_y_;
-  Aligned<double> columns_, x_whole_;
-  Aligned<Complex> x_spectrum_, z_whole_, y_whole_;
-  Plan forward_x_, backward_x_, forward_z_, backward_z_;
-  std::vector<double> kappa2_x_, kappa2_z_;  ///< of this rank's modes in y_whole
-  std::vector<double> lower_, upper_;        ///< off-diagonals of the y operator, one a row
-  std::vector<double> factor_;               ///< work: modified upper diagonal, (ny, modes in x)
-  bool holds_mean_ = false;                  ///< this rank has the mode kx = kz = 0
+  const int rows_;  ///< in y, of this rank, where x is whole
+  parallel::Transposition<Complex> turn_;
+  parallel::Transfer<Complex> z_to_y_;  ///< extents (mode in x, y, z)
+  const int row_stride_, mode_stride_;  ///< padded lengths of a row of coefficients in x, and in z
+  ComplexRowsTransform transform_z_;
+  Tridiagonals tridiagonals_;
+  std::vector<double> kappa2_x_;         ///< of this rank's modes in x
+  std::vector<double> kappa2_z_;         ///< of this rank's modes in z, each twice: real and imaginary part
+  bool holds_mean_ = false;              ///< this rank has the mode kx = kz = 0
+  Aligned<double> row_;                  ///< one row of cells
+  Aligned<Complex> block_;               ///< coefficients in x of a few rows
+  Aligned<Complex> plane_;               ///< one mode in x: coefficients in z of all rows
+  std::vector<Real> columns_, x_whole_;  ///< px > 1
+  std::vector<Complex> z_whole_, y_whole_;  ///< px > 1
 };
 
 }  // namespace softwall::pressure

@@ -1,5 +1,6 @@
 #include "solver/pressure/projection.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,35 +13,55 @@ Projection::Projection(const Grid& grid, const parallel::Decomposition& decompos
     : grid_(grid), halo_(halo), poisson_(grid, decomposition), psi_(grid, 1) {}
 
 void Projection::project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, Real dt) {
+  const Real duration = 2 * stage.alpha * dt;
+  find_psi(velocity, 1 / duration);
+  correct(velocity, pressure, duration);
+}
+
+/// The divergence of a cell needs the velocity on its high faces; the wall-normal one is whole on every rank.
+void Projection::find_psi(grid::VectorField& velocity, Real inv_duration) {
   const auto& g = grid_;
-  const Real duration = 2 * stage.alpha * dt, inv_duration = 1 / duration;
-  const Real inv_dx = 1 / g.dx, inv_dz = 1 / g.dz;
-  const Real *inv_dy = g.inv_dy.data(), *inv_dy_face = g.inv_dy_face.data();
-  const auto u = velocity.x.view(), v = velocity.y.view(), w = velocity.z.view();
+  halo_.fill_side(grid::Side::kHighX, {&velocity.x}, {0, g.ny});
+  halo_.fill_side(grid::Side::kHighZ, {&velocity.z}, {0, g.ny});
   const auto& c = std::as_const(velocity);
-  const auto cu = c.x.view(), cv = c.y.view(), cw = c.z.view();
-  Real* const dense = poisson_.values();
-  const std::ptrdiff_t row = g.nx, plane = row * g.ny;
+  const auto u = c.x.view(), v = c.y.view(), w = c.z.view();
+  const Real inv_dx = 1 / g.dx, inv_dz = 1 / g.dz;
+  const Real* const inv_dy = g.inv_dy.data();
+  const auto psi = psi_.view();
+  const int nx = g.nx;
+  poisson_.solve(
+      [=](int j, int k, Real* row) {
+#pragma omp simd
+        for (int i = 0; i < nx; ++i)
+          row[i] = inv_duration * divergence(u, v, w, inv_dx, inv_dy[j], inv_dz, i, j, k);
+      },
+      [=](int j, int k, const Real* row) { std::copy(row, row + nx, &psi(0, j, k)); });
+  halo_.fill_side(grid::Side::kLowX, {&psi_}, {0, g.ny});
+  halo_.fill_side(grid::Side::kLowZ, {&psi_}, {0, g.ny});
+}
 
-  grid::for_each_cell(grid::all_cells(g), [=](int i, int j, int k) {
-    dense[i + j * row + k * plane] =
-        inv_duration * divergence(cu, cv, cw, inv_dx, inv_dy[j], inv_dz, i, j, k);
-  });
-  poisson_.solve();
-
-  const auto psi = psi_.view(), p = pressure.view();
-  grid::for_each_cell(grid::all_cells(g), [=](int i, int j, int k) {
-    psi(i, j, k) = dense[i + j * row + k * plane];
-    p(i, j, k) += psi(i, j, k);
-  });
-  halo_.fill({&psi_}, {0, g.ny});
-  grid::for_each_cell(grid::all_cells(g), [=](int i, int j, int k) {
-    u(i, j, k) -= duration * (psi(i, j, k) - psi(i - 1, j, k)) * inv_dx;
-    w(i, j, k) -= duration * (psi(i, j, k) - psi(i, j, k - 1)) * inv_dz;
-  });
-  grid::for_each_cell(grid::rows(g, 1, g.ny), [=](int i, int j, int k) {
-    v(i, j, k) -= duration * (psi(i, j, k) - psi(i, j - 1, k)) * inv_dy_face[j];
-  });
+/// One sweep. Gradients look to lower cells only, and so does the next predictor's of the pressure: its ghost
+/// cells there are renewed with what its neighbour adds, all others are left alone.
+void Projection::correct(grid::VectorField& velocity, grid::Field& pressure, Real duration) {
+  const auto& g = grid_;
+  const auto u = velocity.x.view(), v = velocity.y.view(), w = velocity.z.view(), p = pressure.view();
+  const auto psi = std::as_const(psi_).view();
+  const Real by_x = duration / g.dx, by_z = duration / g.dz;
+  const Real* const inv_dy_face = g.inv_dy_face.data();
+  for (int k = 0; k < g.nz; ++k) {
+    for (int j = 0; j < g.ny; ++j) {
+      const Real by_y = j > 0 ? duration * inv_dy_face[j] : 0;  // row 0 of v lies on the wall
+      p(-1, j, k) += psi(-1, j, k);
+#pragma omp simd
+      for (int i = 0; i < g.nx; ++i) {
+        u(i, j, k) -= by_x * (psi(i, j, k) - psi(i - 1, j, k));
+        v(i, j, k) -= by_y * (psi(i, j, k) - psi(i, j - 1, k));
+        w(i, j, k) -= by_z * (psi(i, j, k) - psi(i, j, k - 1));
+        p(i, j, k) += psi(i, j, k);
+      }
+    }
+  }
+  grid::for_each_cell({0, g.nx, 0, g.ny, -1, 0}, [=](int i, int j, int k) { p(i, j, k) += psi(i, j, k); });
 }
 
 double max_divergence(const grid::VectorField& velocity, const Grid& g,

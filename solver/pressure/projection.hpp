@@ -12,10 +12,15 @@ class Projection {
  public:
   Projection(const Grid& grid, const parallel::Decomposition& decomposition, grid::Halo& halo);
 
-  /// `velocity` with all ghost cells filled on entry; interior divergence-free on return, ghost cells stale.
+  /// On entry the wall-normal velocity stands on the walls (rows 0 and ny), no other ghost cell matters. On
+  /// return the interior is divergence-free; the velocity's ghost cells are stale, those of the pressure that
+  /// gradients read (low x, low z) right if they were so before.
   void project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, Real dt);
 
  private:
+  void find_psi(grid::VectorField& velocity, Real inv_duration);
+  void correct(grid::VectorField& velocity, grid::Field& pressure, Real duration);
+
   const Grid& grid_;
   grid::Halo& halo_;
   Poisson poisson_;

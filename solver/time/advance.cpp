@@ -11,15 +11,11 @@ SolidInput solid_input(const State& s, const Setup& setup) {
   return setup.solid ? setup.solid->input(s.material) : SolidInput{};
 }
 
-void fill_ghosts(State& s, Setup& setup) {
-  fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
-  fluid::fill_ghosts(s.pressure, setup.halo);
-}
-
 }  // namespace
 
 void start(State& s, Setup& setup) {
-  fill_ghosts(s, setup);
+  fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
+  fluid::fill_ghosts(s.pressure, setup.halo);
   if (setup.solid) setup.solid->start(s.material);
 }
 
@@ -29,13 +25,12 @@ void advance(State& s, Setup& setup, double dt) {
   for (const Stage& stage : kRungeKutta3) {
     if (setup.solid) setup.solid->transport(s.material, s.velocity, stage, dt);         // phi, B     (6)-(7)
     setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);  // u*         (8)
-    fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
     setup.projection.project(s.velocity, s.pressure, stage, dt);  // u, p       (9)-(11)
     if (setup.bulk_velocity) {                                    // flow rate  (12)
       driven += fluid::hold_flow_rate(s.velocity, solid_input(s, setup), *setup.bulk_velocity, setup.grid,
                                       setup.decomposition);
     }
-    fill_ghosts(s, setup);
+    fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
   }
   if (setup.solid) setup.solid->renew_band(s.material);
   s.driving_gradient = driven / dt;

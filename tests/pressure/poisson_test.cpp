@@ -12,30 +12,22 @@ namespace {
 
 using support::Domain;
 
-/// Copies between a field and the solver's dense array.
-void to_dense(const grid::Field& f, const Grid& g, Real* dense) {
-  std::size_t n = 0;
-  for (int k = 0; k < g.nz; ++k) {
-    for (int j = 0; j < g.ny; ++j) {
-      for (int i = 0; i < g.nx; ++i) dense[n++] = f(i, j, k);
-    }
-  }
-}
-void from_dense(const Real* dense, const Grid& g, grid::Field& f) {
-  std::size_t n = 0;
-  for (int k = 0; k < g.nz; ++k) {
-    for (int j = 0; j < g.ny; ++j) {
-      for (int i = 0; i < g.nx; ++i) f(i, j, k) = dense[n++];
-    }
-  }
-}
-
 grid::Field solve(Domain& d, const grid::Field& rhs) {
-  Poisson poisson(d.grid, d.decomposition);
-  to_dense(rhs, d.grid, poisson.values());
-  poisson.solve();
-  grid::Field psi(d.grid, 1);
-  from_dense(poisson.values(), d.grid, psi);
+  const auto& g = d.grid;
+  Poisson poisson(g, d.decomposition);
+  grid::Field psi(g, 1), visits(g, 0);
+  poisson.solve(
+      [&](int j, int k, Real* row) {
+        for (int i = 0; i < g.nx; ++i) row[i] = rhs(i, j, k);
+        visits(0, j, k) += 1;
+      },
+      [&](int j, int k, const Real* row) {
+        for (int i = 0; i < g.nx; ++i) psi(i, j, k) = row[i];
+        visits(0, j, k) += 10;
+      });
+  for (int k = 0; k < g.nz; ++k) {
+    for (int j = 0; j < g.ny; ++j) EXPECT_EQ(visits(0, j, k), 11) << "row " << j << ", " << k;
+  }
   fluid::fill_ghosts(psi, d.halo);  // zero gradient at the walls
   return psi;
 }
