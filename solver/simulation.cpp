@@ -10,6 +10,7 @@
 #include "solver/output/checkpoint_reader.hpp"
 #include "solver/output/checkpoint_writer.hpp"
 #include "solver/output/regrid.hpp"
+#include "solver/output/remembered_layout.hpp"
 #include "solver/output/runaway.hpp"
 #include "solver/output/snapshot.hpp"
 #include "solver/parallel/reduce.hpp"
@@ -29,7 +30,8 @@ Simulation::Simulation(const Case& definition, const RunOptions& options, const 
       options_(options),
       world_(world),
       started_(utc_now()),
-      setup_(definition.physics, world.get()),
+      setup_(definition.physics, world.get(),
+             output::remembered_layout(options.files, definition.physics, world)),
       state_(time::state_at_rest(setup_.grid, setup_.solid.has_value())),
       statistics_(setup_),
       checkpoints_(options.files, definition.id, definition.run.keep_checkpoints),

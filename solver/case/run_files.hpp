@@ -17,6 +17,7 @@ struct RunFiles {
   [[nodiscard]] std::filesystem::path statistics() const { return directory / "statistics.h5"; }
   [[nodiscard]] std::filesystem::path log() const { return directory / "solver.log"; }
   [[nodiscard]] std::filesystem::path lock() const { return directory / "solver.lock"; }
+  [[nodiscard]] std::filesystem::path layout() const { return directory / "layout.json"; }
   [[nodiscard]] std::filesystem::path checkpoints() const { return directory / "checkpoints"; }
   [[nodiscard]] std::filesystem::path fields() const { return directory / "fields"; }
 

@@ -1,24 +1,9 @@
 #include "solver/parallel/decomposition.hpp"
 
-#include <optional>
+#include <algorithm>
 #include <string>
 
 namespace softwall::parallel {
-
-namespace {
-
-/// The largest pz (fewest x parts, thus fewest transposes) whose parts are all wide enough.
-std::optional<int> choose_pz(int ranks, int nx, int nz) {
-  for (int pz = ranks; pz >= 1; --pz) {
-    if (ranks % pz != 0) continue;
-    const int px = ranks / pz;
-    const auto wide_enough = [](int n, int parts) { return n / parts >= Decomposition::kMinimumWidth; };
-    if (wide_enough(nz, pz) && wide_enough(nx, px)) return pz;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 Range share(int n, int parts, int index) {
   const int base = n / parts, extra = n % parts;
@@ -32,22 +17,37 @@ std::vector<Range> shares(int n, int parts) {
   return all;
 }
 
-Decomposition::Decomposition(MPI_Comm comm, int nx, int nz) : all_(Communicator::duplicate(comm)) {
+std::vector<Layout> possible_layouts(int ranks, int nx, int nz) {
+  const auto wide_enough = [](int n, int parts) { return n / parts >= Decomposition::kMinimumWidth; };
+  std::vector<Layout> possible;
+  for (int px = 1; px <= ranks; ++px) {
+    const int pz = ranks / px;
+    if (px * pz == ranks && wide_enough(nx, px) && wide_enough(nz, pz)) possible.push_back({px, pz});
+  }
+  return possible;
+}
+
+Decomposition::Decomposition(MPI_Comm comm, int nx, int nz, std::optional<Layout> layout)
+    : all_(Communicator::duplicate(comm)) {
   const int ranks = all_.size(), rank = all_.rank();
-  const auto pz = choose_pz(ranks, nx, nz);
-  if (!pz) {
-    throw std::invalid_argument("a grid of " + std::to_string(nx) + " x " + std::to_string(nz) +
-                                " columns cannot be shared among " + std::to_string(ranks) +
+  const auto possible = possible_layouts(ranks, nx, nz);
+  const std::string grid = "a grid of " + std::to_string(nx) + " x " + std::to_string(nz) + " columns";
+  if (possible.empty()) {
+    throw std::invalid_argument(grid + " cannot be shared among " + std::to_string(ranks) +
                                 " ranks: each needs at least " + std::to_string(kMinimumWidth) +
                                 " columns in x and in z");
   }
-  pz_ = *pz;
-  px_ = ranks / pz_;
-  const int ix = rank % px_, iz = rank / px_;
+  layout_ = layout.value_or(possible.front());
+  if (std::find(possible.begin(), possible.end(), layout_) == possible.end()) {
+    throw std::invalid_argument(grid + " cannot be shared as " + std::to_string(layout_.px) + " x " +
+                                std::to_string(layout_.pz) + " parts among " + std::to_string(ranks) +
+                                " ranks");
+  }
+  const int ix = rank % layout_.px, iz = rank / layout_.px;
   x_line_ = Communicator::split(all_.get(), iz, ix);
   z_line_ = Communicator::split(all_.get(), ix, iz);
-  x_ = share(nx, px_, ix);
-  z_ = share(nz, pz_, iz);
+  x_ = share(nx, layout_.px, ix);
+  z_ = share(nz, layout_.pz, iz);
 }
 
 }  // namespace softwall::parallel

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "solver/parallel/mpi.hpp"
@@ -11,6 +12,7 @@
 ///        |   +-----+-----+        two transposes a Poisson solve); many: both directions (six).
 ///        |   | 0,0 | 1,0 |
 ///        +---+-----+-----+---> x
+/// Where "few" ends depends on the machine: time/fastest_layout.hpp measures it.
 namespace softwall::parallel {
 
 /// Half-open interval of global indices.
@@ -25,25 +27,36 @@ struct Range {
 /// All parts of n items.
 [[nodiscard]] std::vector<Range> shares(int n, int parts);
 
+/// So many parts in x and in z, for px * pz ranks.
+struct Layout {
+  int px = 1, pz = 1;
+  friend bool operator==(const Layout&, const Layout&) = default;
+};
+
+/// All layouts of nx x nz columns whose parts are wide enough, those with the fewest parts in x (thus the
+/// fewest transposes) first. Empty when there are more ranks than the grid can feed.
+[[nodiscard]] std::vector<Layout> possible_layouts(int ranks, int nx, int nz);
+
 class Decomposition {
  public:
   /// The narrowest part a rank may hold: WENO reads three neighbours on either side.
   static constexpr int kMinimumWidth = 3;
 
-  /// Shares nx x nz columns among the ranks of `comm`.
-  /// Throws std::invalid_argument when there are more ranks than the grid can feed.
-  Decomposition(MPI_Comm comm, int nx, int nz);
+  /// Shares nx x nz columns among the ranks of `comm`, by the first possible layout unless one is given.
+  /// Throws std::invalid_argument when there are more ranks than the grid can feed, or when the given layout
+  /// is not possible.
+  Decomposition(MPI_Comm comm, int nx, int nz, std::optional<Layout> layout = std::nullopt);
 
   [[nodiscard]] const Communicator& all() const { return all_; }
   [[nodiscard]] const Communicator& x_line() const { return x_line_; }  ///< ranks that differ in x only
   [[nodiscard]] const Communicator& z_line() const { return z_line_; }  ///< ranks that differ in z only
-  [[nodiscard]] int px() const { return px_; }
-  [[nodiscard]] int pz() const { return pz_; }
+  [[nodiscard]] int px() const { return layout_.px; }
+  [[nodiscard]] int pz() const { return layout_.pz; }
   [[nodiscard]] Range x() const { return x_; }  ///< this rank's columns
   [[nodiscard]] Range z() const { return z_; }
 
  private:
-  int px_ = 1, pz_ = 1;
+  Layout layout_;
   Communicator all_, x_line_, z_line_;
   Range x_, z_;
 };

@@ -2,9 +2,9 @@
 
 namespace softwall::time {
 
-Setup::Setup(const Physics& p, MPI_Comm comm)
+Setup::Setup(const Physics& p, MPI_Comm comm, std::optional<parallel::Layout> layout)
     : physics(p),
-      decomposition(comm, p.grid.nx, p.grid.nz),
+      decomposition(comm, p.grid.nx, p.grid.nz, layout),
       grid(grid::make_grid(p, decomposition)),
       viscosity(1.0 / p.reynolds),
       halo(decomposition),

@@ -16,7 +16,8 @@ namespace softwall::time {
 /// miss. Members refer to each other, so it neither moves nor copies.
 class Setup {
  public:
-  Setup(const Physics& physics, MPI_Comm comm);
+  /// `layout`: how the columns are shared; the first possible one unless given.
+  Setup(const Physics& physics, MPI_Comm comm, std::optional<parallel::Layout> layout = std::nullopt);
   Setup(const Setup&) = delete;
   Setup& operator=(const Setup&) = delete;
 

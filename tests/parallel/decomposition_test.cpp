@@ -49,6 +49,23 @@ TEST(Decomposition, SplitsBothDirectionsWhenZIsShort) {
   EXPECT_EQ(d.px(), world_size() / 2);
 }
 
+TEST(Decomposition, TakesAnyPossibleLayoutAndNoOther) {
+  for (const Layout& layout : possible_layouts(world_size(), 24, 24)) {
+    const Decomposition d(MPI_COMM_WORLD, 24, 24, layout);
+    EXPECT_EQ(d.px(), layout.px);
+    EXPECT_EQ(d.pz(), layout.pz);
+    for (const int n : owners(d, 24, 24)) ASSERT_EQ(n, 1);
+  }
+  EXPECT_THROW(Decomposition(MPI_COMM_WORLD, 24, 24, Layout{world_size() + 1, 1}), std::invalid_argument);
+}
+
+TEST(PossibleLayouts, HaveWideParts) {
+  EXPECT_EQ(possible_layouts(1, 3, 3), (std::vector<Layout>{{1, 1}}));
+  EXPECT_EQ(possible_layouts(12, 12, 9), (std::vector<Layout>{{4, 3}}));
+  EXPECT_EQ(possible_layouts(4, 12, 12), (std::vector<Layout>{{1, 4}, {2, 2}, {4, 1}}));
+  EXPECT_TRUE(possible_layouts(7, 12, 12).empty());
+}
+
 TEST(Decomposition, LinesJoinTheRanksThatDifferInOneDirection) {
   const int nx = 12, nz = world_size() == 1 ? 3 : 6;  // with 4 and 6 ranks both directions are split
   const Decomposition d(MPI_COMM_WORLD, nx, nz);
