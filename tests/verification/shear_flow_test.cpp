@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <complex>
 #include <numbers>
 
 #include "solver/fluid/stability.hpp"
 #include "solver/time/advance.hpp"
+#include "tests/support/convergence.hpp"
 #include "tests/support/fields.hpp"
-#include "tests/support/order.hpp"
 #include "tests/support/physics.hpp"
 
 // Flows that depend on y alone, between no-slip walls.
@@ -68,6 +69,40 @@ TEST(Poiseuille, DrivingBalancesTheWalls) {
   const double bottom = 2 * s.velocity.x(0, 0, 0) * g.inv_dy[0],
                top = 2 * s.velocity.x(0, g.ny - 1, 0) * g.inv_dy[g.ny - 1];
   EXPECT_NEAR(s.driving_gradient * g.height, setup.viscosity * (bottom + top), 1e-11);
+}
+
+/// Stokes' second problem between walls: the lower one oscillates, u(0) = sin(w t), and
+///   u = Im[ sinh(k (H - y)) / sinh(k H) exp(i w t) ],  k = sqrt(i w / nu).
+double stokes_error(int ny, double stretching) {
+  time::Setup setup(channel(ny, 10, stretching), MPI_COMM_WORLD);
+  setup.bulk_velocity.reset();
+  const double w = 1, H = setup.grid.height;
+  const std::complex<double> k = std::sqrt(std::complex<double>(0, w / setup.viscosity));
+  const auto at = [=](double t) {
+    return [=](double, double y, double) {
+      return std::imag(std::sinh(k * (H - y)) / std::sinh(k * H) * std::exp(std::complex<double>(0, w * t)));
+    };
+  };
+  State s = state_at_rest(setup.grid, false);
+  support::set_by_position(s.velocity.x, setup.grid, kFaceX, at(0));
+  start(s, setup);
+  const double end = (2 * kPi + 0.8) / w;
+  const int steps = stable_steps(setup, end);
+  for (int n = 0; n < steps; ++n) {
+    // The wall keeps the velocity of the middle of the step, an error of order dt^2 (and dt ~ dy^2).
+    setup.walls.bottom_u = std::sin(w * (n + 0.5) * end / steps);
+    advance(s, setup, end / steps);
+  }
+  return support::largest_error(s.velocity.x, setup.grid, kFaceX, setup.decomposition, at(end));
+}
+
+TEST(StokesSecondProblem, IsSecondOrder) {
+  for (const double stretching : {0.0, 1.5}) {
+    const std::vector<double> errors{stokes_error(16, stretching), stokes_error(32, stretching),
+                                     stokes_error(64, stretching)};
+    support::expect_order(stretching > 0 ? "Stokes, u, stretched grid" : "Stokes, u", errors, 1.9);
+    EXPECT_LT(errors.back(), 5e-3);
+  }
 }
 
 /// Error at T of u = sin(pi y / 2) exp(-nu (pi / 2)^2 t).

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "tests/support/order.hpp"
+
+namespace softwall::support {
+
+/// "what: 0.1 0.025 0.006 (order 2.00 2.06)", for errors on grids (or time steps) each `ratio` times finer.
+inline std::string described(const std::string& what, const std::vector<double>& errors, double ratio = 2) {
+  const auto number = [](const char* format, double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, format, value);
+    return std::string(text);
+  };
+  std::string text = what + ":";
+  for (const double error : errors) text += number(" %.3g", error);
+  text += " (order";
+  for (std::size_t n = 1; n < errors.size(); ++n)
+    text += number(" %.2f", observed_order(errors[n - 1], errors[n], ratio));
+  return text + ")";
+}
+
+/// Expects an order of at least `least` between the two finest of three or more errors, and over all of them
+/// hardly less; what was measured is printed, for the tables of tests/README.md.
+inline void expect_order(const std::string& what, const std::vector<double>& errors, double least,
+                         double ratio = 2) {
+  constexpr double kCoarseAllowance = 0.3;  // a coarse grid may be short of its asymptote
+  const std::string measured = described(what, errors, ratio);
+  std::printf("[ measured ] %s\n", measured.c_str());
+  ASSERT_GE(errors.size(), 3U);
+  EXPECT_GE(last_order(errors, ratio), least) << measured;
+  const double overall = observed_order(errors.front(), errors.back(), ratio);
+  EXPECT_GE(overall / static_cast<double>(errors.size() - 1), least - kCoarseAllowance) << measured;
+}
+
+/// Expects an error below its bar; printed as well.
+inline void expect_below(const std::string& what, double error, double bar) {
+  std::printf("[ measured ] %s: %.3g (bar %.3g)\n", what.c_str(), error, bar);
+  EXPECT_LT(error, bar) << what;
+}
+
+}  // namespace softwall::support

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "tests/support/physics.hpp"
+
+/// The formulations of the solid that verification runs through: every one has to pass the same tests.
+namespace softwall::support {
+
+struct NamedSolid {
+  std::string name;
+  SolidSpec spec;
+  friend void PrintTo(const NamedSolid& solid, std::ostream* out) { *out << solid.name; }
+};
+
+inline std::vector<NamedSolid> solids() {
+  const SolidSpec paper = *elastic_channel({3, 4, 4, 3}).solid;
+  return {{"TensorB", paper}};
+}
+
+inline std::string name_of(const testing::TestParamInfo<NamedSolid>& info) { return info.param.name; }
+
+/// The same solid with another modulus and viscosity.
+inline SolidSpec made_of(SolidSpec spec, double G, double viscosity_ratio) {
+  spec.G = G;
+  spec.viscosity_ratio = viscosity_ratio;
+  return spec;
+}
+
+/// Deforms the rows from first_row on by a shear that depends on y alone, a displacement xi_x(y) with
+/// dxi_x/dy = gamma(y): B_xy = gamma, B_xx = 1 + gamma^2.
+template <class Gamma>
+void shear_material(solid::Material& m, const grid::Grid& g, int first_row, const Gamma& gamma) {
+  const auto xx = m.B.xx.view(), xy = m.B.xy.view();
+  grid::for_each_cell(grid::rows(g, first_row, g.ny + 1), [&](int i, int j, int k) {
+    xy(i, j, k) = gamma(g.y_face[j]);
+    if (j < g.ny) xx(i, j, k) = 1 + gamma(g.y_center[j]) * gamma(g.y_center[j]);
+  });
+}
+
+}  // namespace softwall::support
