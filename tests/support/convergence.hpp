@@ -25,23 +25,22 @@ inline std::string described(const std::string& what, const std::vector<double>&
   return text + ")";
 }
 
+/// Prints what was measured, for the tables of tests/README.md.
+inline void report(const std::string& what, const std::vector<double>& errors, double ratio = 2) {
+  std::printf("[ measured ] %s\n", described(what, errors, ratio).c_str());
+}
+
 /// Expects an order of at least `least` between the two finest of three or more errors, and over all of them
-/// hardly less; what was measured is printed, for the tables of tests/README.md.
+/// hardly less; reports what was measured.
 inline void expect_order(const std::string& what, const std::vector<double>& errors, double least,
                          double ratio = 2) {
   constexpr double kCoarseAllowance = 0.3;  // a coarse grid may be short of its asymptote
   const std::string measured = described(what, errors, ratio);
-  std::printf("[ measured ] %s\n", measured.c_str());
+  report(what, errors, ratio);
   ASSERT_GE(errors.size(), 3U);
   EXPECT_GE(last_order(errors, ratio), least) << measured;
   const double overall = observed_order(errors.front(), errors.back(), ratio);
   EXPECT_GE(overall / static_cast<double>(errors.size() - 1), least - kCoarseAllowance) << measured;
-}
-
-/// Expects an error below its bar; printed as well.
-inline void expect_below(const std::string& what, double error, double bar) {
-  std::printf("[ measured ] %s: %.3g (bar %.3g)\n", what.c_str(), error, bar);
-  EXPECT_LT(error, bar) << what;
 }
 
 }  // namespace softwall::support

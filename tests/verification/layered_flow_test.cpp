@@ -77,7 +77,7 @@ Errors settle(const SolidSpec& solid, const Layer& layer, int ny_fluid) {
 
 class PoiseuilleUnderALayer : public testing::TestWithParam<support::NamedSolid> {
  protected:
-  /// Grids of `coarse` cells in the fluid, twice and four times as many. Returns the errors on the finest.
+  /// On grids of `coarse` cells in the fluid, twice and four times as many; returns the finest's errors.
   Errors expect_order(const std::string& name, const Layer& layer, double order, int coarse = 8) {
     std::vector<double> velocity, shear, stretch, stress;
     Errors e;
@@ -111,7 +111,7 @@ TEST_P(PoiseuilleUnderALayer, OnAStretchedGridToo) {
 /// First order: where viscosities differ, an edge on the interface takes their mean as if solid and fluid
 /// were sheared at the same rate, though it is the fluid that is sheared (see tests/README.md).
 TEST_P(PoiseuilleUnderALayer, OfATenthOfTheViscosityIsFirstOrder) {
-  expect_order("viscosity ratio 0.1", {1, 0.1, 0}, 0.5);
+  expect_order("viscosity ratio 0.1", {1, 0.1, 0}, 0.6);
 }
 TEST_P(PoiseuilleUnderALayer, OfTenTimesTheViscosityIsFirstOrder) {
   expect_order("viscosity ratio 10", {1, 10, 0}, 0.9);
