@@ -7,10 +7,10 @@
 
 namespace softwall::fluid {
 
-Real hold_flow_rate(grid::VectorField& velocity, const SolidInput& solid, Real bulk_velocity, const Grid& g,
-                    const parallel::Decomposition& decomposition) {
+double hold_flow_rate(grid::VectorField& velocity, const SolidInput& solid, double bulk_velocity,
+                      const Grid& g, const parallel::Decomposition& decomposition) {
   const auto u = velocity.x.view();
-  const Real* dy = g.dy.data();
+  const double* dy = g.dy.exact();
   const int solid_row = solid.fraction ? solid.first_row : g.ny;
   std::array<double, 2> flow_and_volume{};
   flow_and_volume[0] =
@@ -27,8 +27,9 @@ Real hold_flow_rate(grid::VectorField& velocity, const SolidInput& solid, Real b
     flow_and_volume[1] += grid::sum_cells(box, fluid_volume);
   }
   parallel::sum(decomposition.all(), flow_and_volume);
-  const Real missing = bulk_velocity - flow_and_volume[0] / flow_and_volume[1];
-  grid::for_each_cell(grid::all_cells(g), [=](int i, int j, int k) { u(i, j, k) += missing; });
+  const double missing = bulk_velocity - flow_and_volume[0] / flow_and_volume[1];
+  const Real more = Real(missing);
+  grid::for_each_cell(grid::all_cells(g), [=](int i, int j, int k) { u(i, j, k) += more; });
   return missing;
 }
 

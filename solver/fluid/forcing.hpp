@@ -10,7 +10,8 @@ namespace softwall::fluid {
 /// and returns that amount, U_b. Divided by the duration of the substep it is the driving gradient P - of the
 /// substep; over a step the amounts add up to P dt. Uniform, so the divergence of the velocity does not
 /// change.
-[[nodiscard]] Real hold_flow_rate(grid::VectorField& velocity, const SolidInput& solid, Real bulk_velocity,
-                                  const Grid& grid, const parallel::Decomposition& decomposition);
+[[nodiscard]] double hold_flow_rate(grid::VectorField& velocity, const SolidInput& solid,
+                                    double bulk_velocity, const Grid& grid,
+                                    const parallel::Decomposition& decomposition);
 
 }  // namespace softwall::fluid

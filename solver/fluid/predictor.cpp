@@ -53,11 +53,11 @@ void predict_rows(const Grid& g, int j0, int j1, const MomentumInput& m, View<co
 
 }  // namespace
 
-Predictor::Predictor(const Grid& grid, Real viscosity)
+Predictor::Predictor(const Grid& grid, double viscosity)
     : grid_(grid), viscosity_(viscosity), rate_(grid, 1), predicted_(grid, 1) {}
 
 void Predictor::advance(grid::VectorField& velocity, const grid::Field& pressure, const SolidInput& solid,
-                        const Stage& stage, Real dt) {
+                        const Stage& stage, double dt) {
   const auto& g = grid_;
   const auto& old = std::as_const(velocity);
   MomentumInput m{old.x.view(),
@@ -67,11 +67,12 @@ void Predictor::advance(grid::VectorField& velocity, const grid::Field& pressure
                   g.inv_dy.data(),
                   g.inv_dy_face.data(),
                   g.upper_share.data(),
-                  1 / g.dx,
-                  1 / g.dz,
-                  viscosity_,
-                  viscosity_ * (solid.viscosity_ratio - 1)};
-  const Weights w{2 * stage.alpha * dt, stage.alpha * dt, stage.beta * dt, stage.gamma * dt};
+                  Real(1 / g.dx),
+                  Real(1 / g.dz),
+                  Real(viscosity_),
+                  Real(viscosity_ * (solid.viscosity_ratio - 1))};
+  const Weights w{Real(2 * stage.alpha * dt), Real(stage.alpha * dt), Real(stage.beta * dt),
+                  Real(stage.gamma * dt)};
   const auto p = pressure.view();
   const int solid_row = solid.force ? solid.first_row : g.ny;
   predict_rows<false, false>(g, 0, solid_row, m, p, w, nullptr, rate_, predicted_);

@@ -13,16 +13,16 @@ namespace softwall::fluid {
 
 class Predictor {
  public:
-  Predictor(const Grid& grid, Real viscosity);
+  Predictor(const Grid& grid, double viscosity);
 
   /// Replaces `velocity` by u*. Ghost cells are read from the old velocity and not filled in the new one,
   /// save that the wall-normal component is 0 on the walls.
   void advance(grid::VectorField& velocity, const grid::Field& pressure, const SolidInput& solid,
-               const Stage& stage, Real dt);
+               const Stage& stage, double dt);
 
  private:
   const Grid& grid_;
-  Real viscosity_;
+  double viscosity_;
   grid::VectorField rate_;       ///< R^{k-2} on entry, R^{k-1} on return
   grid::VectorField predicted_;  ///< u*, exchanged with the velocity at the end
 };

@@ -13,7 +13,7 @@ namespace softwall::fluid {
 double convection_limit(const grid::VectorField& velocity, const Grid& g,
                         const parallel::Decomposition& decomposition) {
   const auto u = velocity.x.view(), v = velocity.y.view(), w = velocity.z.view();
-  const Real inv_dx = 1 / g.dx, inv_dz = 1 / g.dz;
+  const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz);
   const Real* inv_dy = g.inv_dy.data();
   const double fastest = grid::max_cells(grid::all_cells(g), 0.0, [=](int i, int j, int k) {
     return std::abs(u(i, j, k)) * inv_dx +
@@ -24,12 +24,12 @@ double convection_limit(const grid::VectorField& velocity, const Grid& g,
   return rate > 0 ? std::numbers::sqrt3 / rate : std::numeric_limits<double>::infinity();
 }
 
-double viscosity_limit(Real viscosity, const SolidInput& solid, const Grid& g) {
+double viscosity_limit(double viscosity, const SolidInput& solid, const Grid& g) {
   constexpr double kRealAxis = 2.51;
   double limit = std::numeric_limits<double>::infinity();
   for (int j = 0; j < g.ny; ++j) {
     const bool holds_solid = solid.fraction && j >= solid.first_row;
-    const double nu = viscosity * (holds_solid ? std::max(Real(1), solid.viscosity_ratio) : 1);
+    const double nu = viscosity * (holds_solid ? std::max(1.0, solid.viscosity_ratio) : 1);
     const double curvature = 1 / (g.dx * g.dx) + g.inv_dy[j] * g.inv_dy[j] + 1 / (g.dz * g.dz);
     limit = std::min(limit, kRealAxis / (4 * nu * curvature));
   }

@@ -14,6 +14,6 @@ namespace softwall::fluid {
 
 /// 2.51 / (4 nu_max (1/dx^2 + 1/dy^2 + 1/dz^2)), the smallest over the rows; the solid's viscosity counts
 /// from its first row on.
-[[nodiscard]] double viscosity_limit(Real viscosity, const SolidInput& solid, const Grid& grid);
+[[nodiscard]] double viscosity_limit(double viscosity, const SolidInput& solid, const Grid& grid);
 
 }  // namespace softwall::fluid

@@ -10,20 +10,20 @@ void fill_rows(Grid& g, const std::vector<double>& faces) {
   constexpr int ghost = RowArray::kGhost;
   const int ny = g.ny;
   g.y_face = g.y_center = g.dy = g.dy_face = g.inv_dy = g.inv_dy_face = g.upper_share = RowArray(ny);
-  for (int j = 0; j <= ny; ++j) g.y_face[j] = faces[static_cast<std::size_t>(j)];
+  for (int j = 0; j <= ny; ++j) g.y_face.set(j, faces[static_cast<std::size_t>(j)]);
   for (int j = 1; j <= ghost; ++j) {
-    g.y_face[-j] = 2 * g.y_face[0] - g.y_face[j];
-    g.y_face[ny + j] = 2 * g.y_face[ny] - g.y_face[ny - j];
+    g.y_face.set(-j, 2 * g.y_face[0] - g.y_face[j]);
+    g.y_face.set(ny + j, 2 * g.y_face[ny] - g.y_face[ny - j]);
   }
   for (int j = -ghost; j < ny + ghost; ++j) {
-    g.y_center[j] = (g.y_face[j] + g.y_face[j + 1]) / 2;
-    g.dy[j] = g.y_face[j + 1] - g.y_face[j];
-    g.inv_dy[j] = 1 / g.dy[j];
+    g.y_center.set(j, (g.y_face[j] + g.y_face[j + 1]) / 2);
+    g.dy.set(j, g.y_face[j + 1] - g.y_face[j]);
+    g.inv_dy.set(j, 1 / g.dy[j]);
   }
   for (int j = -ghost + 1; j < ny + ghost; ++j) {
-    g.dy_face[j] = g.y_center[j] - g.y_center[j - 1];
-    g.inv_dy_face[j] = 1 / g.dy_face[j];
-    g.upper_share[j] = g.dy[j] / (g.dy[j] + g.dy[j - 1]);
+    g.dy_face.set(j, g.y_center[j] - g.y_center[j - 1]);
+    g.inv_dy_face.set(j, 1 / g.dy_face[j]);
+    g.upper_share.set(j, g.dy[j] / (g.dy[j] + g.dy[j - 1]));
   }
 }
 

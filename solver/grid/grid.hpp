@@ -16,6 +16,7 @@
 /// i, j, k count this rank's cells from 0; y is whole on every rank: v(i,0,k) and v(i,ny,k) lie on the walls.
 namespace softwall::grid {
 
+/// A number of a field. What belongs to the whole flow - time, steps, geometry, sums, statistics - is double.
 using Real = double;
 
 /// One number for each row j = -kGhost .. ny + kGhost - 1, stored with its offset.
@@ -23,14 +24,22 @@ class RowArray {
  public:
   static constexpr int kGhost = 3;
   RowArray() = default;
-  explicit RowArray(int ny) : values_(static_cast<std::size_t>(ny + 2 * kGhost + 1)) {}
-  Real& operator[](int j) { return values_[static_cast<std::size_t>(j + kGhost)]; }
-  Real operator[](int j) const { return values_[static_cast<std::size_t>(j + kGhost)]; }
-  /// Address of row 0, for kernels.
-  [[nodiscard]] const Real* data() const { return values_.data() + kGhost; }
+  explicit RowArray(int ny)
+      : values_(static_cast<std::size_t>(ny + 2 * kGhost + 1)), rounded_(values_.size()) {}
+  double operator[](int j) const { return values_[place(j)]; }
+  void set(int j, double value) {
+    values_[place(j)] = value;
+    rounded_[place(j)] = static_cast<Real>(value);
+  }
+  /// Address of row 0, for kernels that combine rows with fields.
+  [[nodiscard]] const Real* data() const { return rounded_.data() + kGhost; }
+  /// The same in double precision, for sums.
+  [[nodiscard]] const double* exact() const { return values_.data() + kGhost; }
 
  private:
-  std::vector<Real> values_;
+  static std::size_t place(int j) { return static_cast<std::size_t>(j + kGhost); }
+  std::vector<double> values_;
+  std::vector<Real> rounded_;
 };
 
 /// Spacings in h. Beyond a wall the cells are mirrored.
@@ -39,8 +48,8 @@ struct Grid {
   int nx = 0, ny = 0, nz = 0;    ///< this rank's cells
   int x_begin = 0, z_begin = 0;  ///< global index of this rank's first cell
   int ny_fluid = 0;              ///< rows below the undeformed interface
-  Real length_x = 0, length_z = 0, height = 0;
-  Real dx = 0, dz = 0;
+  double length_x = 0, length_z = 0, height = 0;
+  double dx = 0, dz = 0;
   RowArray y_face;  ///< j = 0 .. ny
   RowArray y_center;
   RowArray dy;       ///< cell height

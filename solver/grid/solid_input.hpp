@@ -9,7 +9,7 @@ struct SolidInput {
   const grid::Field* fraction = nullptr;     ///< phi, ghost cells filled
   const grid::VectorField* force = nullptr;  ///< f^k + f^{k-1} on the faces
   int first_row = 0;                         ///< phi and force vanish below this row
-  grid::Real viscosity_ratio = 1;
+  double viscosity_ratio = 1;
 };
 
 }  // namespace softwall

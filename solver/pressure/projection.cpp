@@ -12,20 +12,20 @@ namespace softwall::pressure {
 Projection::Projection(const Grid& grid, const parallel::Decomposition& decomposition, grid::Halo& halo)
     : grid_(grid), halo_(halo), poisson_(grid, decomposition), psi_(grid, 1) {}
 
-void Projection::project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, Real dt) {
-  const Real duration = 2 * stage.alpha * dt;
-  find_psi(velocity, 1 / duration);
+void Projection::project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, double dt) {
+  const double duration = 2 * stage.alpha * dt;
+  find_psi(velocity, duration);
   correct(velocity, pressure, duration);
 }
 
 /// The divergence of a cell needs the velocity on its high faces; the wall-normal one is whole on every rank.
-void Projection::find_psi(grid::VectorField& velocity, Real inv_duration) {
+void Projection::find_psi(grid::VectorField& velocity, double duration) {
   const auto& g = grid_;
   halo_.fill_side(grid::Side::kHighX, {&velocity.x}, {0, g.ny});
   halo_.fill_side(grid::Side::kHighZ, {&velocity.z}, {0, g.ny});
   const auto& c = std::as_const(velocity);
   const auto u = c.x.view(), v = c.y.view(), w = c.z.view();
-  const Real inv_dx = 1 / g.dx, inv_dz = 1 / g.dz;
+  const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz), inv_duration = Real(1 / duration);
   const Real* const inv_dy = g.inv_dy.data();
   const auto psi = psi_.view();
   const int nx = g.nx;
@@ -42,15 +42,14 @@ void Projection::find_psi(grid::VectorField& velocity, Real inv_duration) {
 
 /// One sweep. Gradients look to lower cells only, and so does the next predictor's of the pressure: its ghost
 /// cells there are renewed with what its neighbour adds, all others are left alone.
-void Projection::correct(grid::VectorField& velocity, grid::Field& pressure, Real duration) {
+void Projection::correct(grid::VectorField& velocity, grid::Field& pressure, double duration) {
   const auto& g = grid_;
   const auto u = velocity.x.view(), v = velocity.y.view(), w = velocity.z.view(), p = pressure.view();
   const auto psi = std::as_const(psi_).view();
-  const Real by_x = duration / g.dx, by_z = duration / g.dz;
-  const Real* const inv_dy_face = g.inv_dy_face.data();
+  const Real by_x = Real(duration / g.dx), by_z = Real(duration / g.dz);
   for (int k = 0; k < g.nz; ++k) {
     for (int j = 0; j < g.ny; ++j) {
-      const Real by_y = j > 0 ? duration * inv_dy_face[j] : 0;  // row 0 of v lies on the wall
+      const Real by_y = j > 0 ? Real(duration * g.inv_dy_face[j]) : 0;  // row 0 of v lies on the wall
       p(-1, j, k) += psi(-1, j, k);
 #pragma omp simd
       for (int i = 0; i < g.nx; ++i) {
@@ -67,7 +66,7 @@ void Projection::correct(grid::VectorField& velocity, grid::Field& pressure, Rea
 double max_divergence(const grid::VectorField& velocity, const Grid& g,
                       const parallel::Decomposition& decomposition) {
   const auto u = velocity.x.view(), v = velocity.y.view(), w = velocity.z.view();
-  const Real inv_dx = 1 / g.dx, inv_dz = 1 / g.dz;
+  const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz);
   const Real* inv_dy = g.inv_dy.data();
   const double here = grid::max_cells(grid::all_cells(g), 0.0, [=](int i, int j, int k) {
     return std::abs(divergence(u, v, w, inv_dx, inv_dy[j], inv_dz, i, j, k));

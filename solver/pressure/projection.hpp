@@ -15,11 +15,11 @@ class Projection {
   /// On entry the wall-normal velocity stands on the walls (rows 0 and ny), no other ghost cell matters. On
   /// return the interior is divergence-free; the velocity's ghost cells are stale, those of the pressure that
   /// gradients read (low x, low z) right if they were so before.
-  void project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, Real dt);
+  void project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, double dt);
 
  private:
-  void find_psi(grid::VectorField& velocity, Real inv_duration);
-  void correct(grid::VectorField& velocity, grid::Field& pressure, Real duration);
+  void find_psi(grid::VectorField& velocity, double duration);
+  void correct(grid::VectorField& velocity, grid::Field& pressure, double duration);
 
   const Grid& grid_;
   grid::Halo& halo_;

@@ -10,6 +10,8 @@
 /// with zero normal derivative at both walls.
 namespace softwall::pressure {
 
+using grid::Real;
+
 class Tridiagonals {
  public:
   /// `most`: systems solved at once, side by side.
@@ -18,13 +20,12 @@ class Tridiagonals {
   /// Solves a real system for each entry of kappa2, with kappa^2 = kappa2_x + kappa2[m]; a complex one is
   /// two. values[j * stride + m]: `scale` times it is the right-hand side on entry, psi on return. Where
   /// kappa^2 = 0 the solution is fixed up to a constant: the top row is set to 0.
-  void solve(double* values, std::ptrdiff_t stride, double kappa2_x, std::span<const double> kappa2,
-             double scale);
+  void solve(Real* values, std::ptrdiff_t stride, Real kappa2_x, std::span<const Real> kappa2, Real scale);
 
  private:
-  std::vector<double> lower_, upper_;  ///< off-diagonals, one a row
-  std::vector<double> reduced_;        ///< work: 1 - upper / pivot of the row below
-  std::vector<double> ratio_;          ///< work: upper / pivot, (row, system)
+  std::vector<Real> lower_, upper_;  ///< off-diagonals, one a row
+  std::vector<Real> reduced_;        ///< work: 1 - upper / pivot of the row below
+  std::vector<Real> ratio_;          ///< work: upper / pivot, (row, system)
 };
 
 }  // namespace softwall::pressure

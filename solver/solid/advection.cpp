@@ -15,7 +15,7 @@ Advection::Advection(const Grid& grid, WenoWeights weights)
 template <WenoWeights kWeights, class PointVelocity>
 void Advection::sweep(View<const Real> q, const PointVelocity& velocity, int first_row, View<Real> rate) {
   const Grid& g = grid_;
-  const Real inv_dx = 1 / g.dx, inv_dz = 1 / g.dz;
+  const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz);
   const Real* inv_height = PointVelocity::kOnYFace ? g.inv_dy_face.data() : g.inv_dy.data();
   const int j0 = PointVelocity::kOnYFace ? std::max(first_row, 1) : first_row;
   const int nx = g.nx;

@@ -33,8 +33,8 @@ void renew(const grid::Box& box, const Force& force, grid::Field& previous, grid
 
 }  // namespace
 
-void renew_elastic_force(const Material& m, Real G, const Grid& g, int first_row, grid::VectorField& previous,
-                         grid::VectorField& sum) {
+void renew_elastic_force(const Material& m, double G, const Grid& g, int first_row,
+                         grid::VectorField& previous, grid::VectorField& sum) {
   const Stress s{{m.phi.view(), g.upper_share.data()},
                  m.B.xx.view(),
                  m.B.yy.view(),
@@ -42,8 +42,8 @@ void renew_elastic_force(const Material& m, Real G, const Grid& g, int first_row
                  m.B.xy.view(),
                  m.B.xz.view(),
                  m.B.yz.view(),
-                 G};
-  const Real inv_dx = 1 / g.dx, inv_dz = 1 / g.dz;
+                 Real(G)};
+  const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz);
   const Real *inv_dy = g.inv_dy.data(), *inv_dy_face = g.inv_dy_face.data();
   renew(
       grid::rows(g, first_row, g.ny),

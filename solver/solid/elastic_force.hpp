@@ -11,7 +11,7 @@ namespace softwall::solid {
 
 /// sum = force(now) + previous; then previous = force(now). Rows from first_row on; elsewhere both stay as
 /// they are. `material` needs its ghost cells.
-void renew_elastic_force(const Material& material, Real G, const Grid& grid, int first_row,
+void renew_elastic_force(const Material& material, double G, const Grid& grid, int first_row,
                          grid::VectorField& previous, grid::VectorField& sum);
 
 }  // namespace softwall::solid

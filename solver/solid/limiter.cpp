@@ -21,7 +21,7 @@ namespace {
 constexpr double kBeyond = 1e-6;
 
 /// Cells of one row that fail Sylvester's criterion for B - floor I: a cheap test that vectorizes.
-int failures_in_row(const grid::TensorField& B, Real floor, const grid::Box& box, int j, int k) {
+int failures_in_row(const grid::TensorField& B, double floor, const grid::Box& box, int j, int k) {
   int failures = 0;
 #pragma omp simd reduction(+ : failures)
   for (int i = box.i0; i < box.i1; ++i) {
@@ -32,7 +32,7 @@ int failures_in_row(const grid::TensorField& B, Real floor, const grid::Box& box
 
 }  // namespace
 
-std::int64_t keep_positive_definite(grid::TensorField& B, Real floor, const grid::Box& box) {
+std::int64_t keep_positive_definite(grid::TensorField& B, double floor, const grid::Box& box) {
   std::int64_t touched = 0;
   for (int k = box.k0; k < box.k1; ++k) {
     for (int j = box.j0; j < box.j1; ++j) {

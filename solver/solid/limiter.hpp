@@ -17,6 +17,6 @@ namespace softwall::solid {
 /// cell again, so that a restart, which applies the limiter to limited cells, changes no bit. Only the cell's
 /// own normal components change, and the added stress is a pressure: the limiter itself moves nothing. Shear
 /// ghost cells must be filled. Returns the number of cells touched here.
-std::int64_t keep_positive_definite(grid::TensorField& B, Real floor, const grid::Box& box);
+std::int64_t keep_positive_definite(grid::TensorField& B, double floor, const grid::Box& box);
 
 }  // namespace softwall::solid

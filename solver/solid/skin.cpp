@@ -54,7 +54,7 @@ void extend_shear(Material& material, Real threshold, const Grid& g, const grid:
   extend(std::array{&B.yz}, on_yz, threshold, g.ny - 1, box, nothing);
 }
 
-std::int64_t extend_normal(Material& material, Real threshold, Real floor, const Grid& g,
+std::int64_t extend_normal(Material& material, Real threshold, double floor, const Grid& g,
                            const grid::Box& box) {
   const Fraction phi{std::as_const(material.phi).view(), g.upper_share.data()};
   auto& B = material.B;

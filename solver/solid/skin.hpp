@@ -20,7 +20,7 @@ void extend_shear(Material& material, Real threshold, const Grid& grid, const gr
 /// The same for the normal components; each row is kept positive definite (limiter.hpp) before the next one
 /// below takes its values, so that doing it again changes no bit. Shear ghost cells must be filled. Returns
 /// the number of cells limited here.
-std::int64_t extend_normal(Material& material, Real threshold, Real floor, const Grid& grid,
+std::int64_t extend_normal(Material& material, Real threshold, double floor, const Grid& grid,
                            const grid::Box& box);
 
 }  // namespace softwall::solid

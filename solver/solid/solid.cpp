@@ -18,7 +18,7 @@ namespace {
 
 /// Less phi than this is dust: it stays where it is, without effect. The band of rows worked on starts
 /// kMargin rows below the lowest row with more.
-constexpr Real kDust = 0.02;
+constexpr double kDust = 0.02;
 constexpr int kMargin = 4;
 
 Stretching stretching_of(const Material& m, const grid::VectorField& velocity, const SolidEdges& in,
@@ -27,7 +27,7 @@ Stretching stretching_of(const Material& m, const grid::VectorField& velocity, c
   return {velocity.x.view(), velocity.y.view(), velocity.z.view(), B.xx.view(),          B.yy.view(),
           B.zz.view(),       B.xy.view(),       B.xz.view(),       B.yz.view(),          in.xy.view(),
           in.xz.view(),      in.yz.view(),      g.inv_dy.data(),   g.inv_dy_face.data(), g.dy.data(),
-          g.dy_face.data(),  1 / g.dx,          1 / g.dz};
+          g.dy_face.data(),  Real(1 / g.dx),    Real(1 / g.dz)};
 }
 
 /// rate += source, or = source.
@@ -85,7 +85,7 @@ void Solid::renew_force(const Material& material) {
   renew_elastic_force(material, spec_.G, grid_, first_row_, force_before_, force_sum_);
 }
 
-void Solid::transport(Material& material, const grid::VectorField& velocity, const Stage& stage, Real dt) {
+void Solid::transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt) {
   find_rates(material, velocity);
   update(material, stage, dt);
   make_consistent(material);
@@ -103,7 +103,7 @@ void Solid::find_rates(const Material& m, const grid::VectorField& velocity) {
   advection_.rate_of(m.B.xz, EdgeXzVelocity{base}, j0, now_.B.xz);
   advection_.rate_of(m.B.yz, EdgeYzVelocity{base}, j0, now_.B.yz);
 
-  mark_solid_edges(m, spec_.threshold, grid_, j0, edges_);
+  mark_solid_edges(m, Real(spec_.threshold), grid_, j0, edges_);
   const Stretching s = stretching_of(m, velocity, edges_, grid_);
   const auto centers = grid::rows(grid_, j0, ny), faces = grid::rows(grid_, std::max(j0, 1), ny);
   add(now_.B.xx, centers, [=](int i, int j, int k) { return s.rate_xx(i, j, k); });
@@ -120,8 +120,8 @@ void Solid::find_rates(const Material& m, const grid::VectorField& velocity) {
   }
 }
 
-void Solid::update(Material& m, const Stage& stage, Real dt) {
-  const Real by_now = stage.beta * dt, by_before = stage.gamma * dt;
+void Solid::update(Material& m, const Stage& stage, double dt) {
+  const Real by_now = Real(stage.beta * dt), by_before = Real(stage.gamma * dt);
   const auto step = [&](grid::Field& field, const grid::Field& now, const grid::Field& before, int top) {
     const auto q = field.view();
     const auto r = now.view(), r_before = before.view();
@@ -148,10 +148,10 @@ void Solid::make_consistent(Material& m) {
   const auto band = grid::rows(grid_, first_row_, grid_.ny);
   fill_beyond_walls(m);
   halo_.fill({&m.phi}, span);
-  extend_shear(m, spec_.threshold, grid_, band);
+  extend_shear(m, Real(spec_.threshold), grid_, band);
   fill_beyond_walls(m);
   halo_.fill({&m.B.xy, &m.B.xz, &m.B.yz}, span);
-  limited_cells_ += extend_normal(m, spec_.threshold, spec_.min_eigenvalue, grid_, band);
+  limited_cells_ += extend_normal(m, Real(spec_.threshold), spec_.min_eigenvalue, grid_, band);
   fill_beyond_walls(m);
   halo_.fill({&m.B.xx, &m.B.yy, &m.B.zz}, span);
 }
@@ -180,7 +180,7 @@ double Solid::elastic_limit(const Material& m) const {
   const auto phi = m.phi.view(), xx = m.B.xx.view(), yy = m.B.yy.view(), zz = m.B.zz.view(),
              xy = m.B.xy.view(), xz = m.B.xz.view(), yz = m.B.yz.view();
   const Real* inv_dy = grid_.inv_dy.data();
-  const Real inv_dx = 1 / grid_.dx, inv_dz = 1 / grid_.dz;
+  const Real inv_dx = Real(1 / grid_.dx), inv_dz = Real(1 / grid_.dz);
   const double stiffest =
       grid::max_cells(grid::rows(grid_, first_row_, grid_.ny), 0.0, [=](int i, int j, int k) {
         return phi(i, j, k) *

@@ -31,7 +31,7 @@ class Solid {
   void renew_band(Material& material);
 
   /// Advances phi and B through one substep with the velocity at its beginning (ghost cells filled).
-  void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, Real dt);
+  void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt);
 
   /// phi and the elastic force f^k + f^{k-1} for the predictor.
   [[nodiscard]] SolidInput input(const Material& material) const;
@@ -50,7 +50,7 @@ class Solid {
     grid::TensorField B;
   };
   void find_rates(const Material& material, const grid::VectorField& velocity);
-  void update(Material& material, const Stage& stage, Real dt);
+  void update(Material& material, const Stage& stage, double dt);
   void make_consistent(Material& material);
   void fill_beyond_walls(Material& material) const;
   void renew_force(const Material& material);

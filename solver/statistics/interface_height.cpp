@@ -13,12 +13,13 @@ namespace {
 constexpr double kPending = -1e9;
 
 /// One step down, from row j to j - 1, for the columns of one line in x. Returns how many still wait.
-int step_down(const double* above, const double* below, double level, int j, int nx, double* crossing) {
+int step_down(const grid::Real* above, const grid::Real* below, double level, int j, int nx,
+              double* crossing) {
   int pending = 0;
 #pragma omp simd reduction(+ : pending)
   for (int i = 0; i < nx; ++i) {
     const bool waiting = crossing[i] == kPending, here = below[i] < level;
-    const double fall = above[i] - below[i];
+    const double fall = double(above[i]) - below[i];
     const double row = j - (above[i] - level) / (here ? fall : 1.0);
     crossing[i] = waiting && here ? row : crossing[i];
     pending += waiting && !here ? 1 : 0;

@@ -40,7 +40,7 @@ void add_center_line(const time::State& s, int nx, int j, int k, PlaneMeans& sum
   double u1 = 0, u2 = 0, w1 = 0, w2 = 0, p1 = 0, p2 = 0;
 #pragma omp simd reduction(+ : u1, u2, w1, w2, p1, p2)
   for (int i = 0; i < nx; ++i) {
-    const Real a = u(i, j, k), b = w(i, j, k), c = p(i, j, k);
+    const double a = u(i, j, k), b = w(i, j, k), c = p(i, j, k);
     u1 += a;
     u2 += a * a;
     w1 += b;
@@ -65,7 +65,7 @@ void add_face_line(const fluid::MomentumInput& m, int nx, int j, int k, PlaneMea
     const Real v = m.v(i, j, k);
     const Real product = (m.u(i, j, k) + m.u(i, j - 1, k)) / 2 * ((v + m.v(i - 1, j, k)) / 2);
     v1 += v;
-    v2 += v * v;
+    v2 += double(v) * v;
     uv += product;
     viscous += fluid::flux_xy<kVariable>(m, i, j, k) + product;
   }
@@ -82,7 +82,7 @@ void add_solid_center_line(const time::State& s, double G, int nx, int j, int k,
   double fraction = 0, flow = 0, stress_x = 0, stress_y = 0, stress_z = 0;
 #pragma omp simd reduction(+ : fraction, flow, stress_x, stress_y, stress_z)
   for (int i = 0; i < nx; ++i) {
-    const Real f = phi(i, j, k);
+    const double f = phi(i, j, k);
     fraction += f;
     flow += (1 - (f + phi(i - 1, j, k)) / 2) * u(i, j, k);
     stress_x += f * xx(i, j, k);
@@ -116,10 +116,10 @@ fluid::MomentumInput momentum_input(const time::State& s, const time::Setup& set
           g.inv_dy.data(),
           g.inv_dy_face.data(),
           g.upper_share.data(),
-          1 / g.dx,
-          1 / g.dz,
-          setup.viscosity,
-          setup.viscosity * (ratio - 1)};
+          Real(1 / g.dx),
+          Real(1 / g.dz),
+          Real(setup.viscosity),
+          Real(setup.viscosity * (ratio - 1))};
 }
 
 /// Sums over this rank's part of every plane: one sweep through the fields, line by line.

@@ -47,7 +47,7 @@ Extremes extremes_of(const Material& m, const grid::Box& box, double threshold) 
 double volume_of(const grid::Field& field, const grid::Grid& g,
                  const parallel::Decomposition& decomposition) {
   const auto phi = field.view();
-  const double* dy = g.dy.data();
+  const double* dy = g.dy.exact();
   const double area = g.dx * g.dz;
   const double here =
       grid::sum_cells(grid::all_cells(g), [=](int i, int j, int k) { return phi(i, j, k) * dy[j]; });

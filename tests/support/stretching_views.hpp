@@ -11,7 +11,7 @@ inline solid::Stretching stretching(const solid::Material& m, const VectorField&
   return {velocity.x.view(), velocity.y.view(), velocity.z.view(), m.B.xx.view(),        m.B.yy.view(),
           m.B.zz.view(),     m.B.xy.view(),     m.B.xz.view(),     m.B.yz.view(),        m.phi.view(),
           m.phi.view(),      m.phi.view(),      g.inv_dy.data(),   g.inv_dy_face.data(), g.dy.data(),
-          g.dy_face.data(),  1 / g.dx,          1 / g.dz};
+          g.dy_face.data(),  Real(1 / g.dx),    Real(1 / g.dz)};
 }
 
 /// B the same in every cell, ghost cells too; phi = 1.
