@@ -5,21 +5,24 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include <fftw3.h>
+#include "solver/grid/grid.hpp"
+#include "solver/pressure/fftw.hpp"
 
 /// Owners of FFTW plans and memory. Plans are estimated, not measured: a measured plan may differ from run to
 /// run and with it the last bits of the result, and a restarted run must repeat an uninterrupted one bit for
 /// bit.
 namespace softwall::pressure {
 
-using Complex = std::complex<double>;
+using grid::Real;
+using Complex = std::complex<Real>;
+using Library = Fftw<Real>;
 
 /// FFTW-aligned array.
 template <class T>
 class Aligned {
  public:
   Aligned() = default;
-  explicit Aligned(std::size_t n) : size_(n), data_(static_cast<T*>(fftw_malloc((n + 1) * sizeof(T)))) {
+  explicit Aligned(std::size_t n) : size_(n), data_(static_cast<T*>(Library::allocate((n + 1) * sizeof(T)))) {
     if (!data_) throw std::bad_alloc();
     std::uninitialized_fill_n(data_.get(), n, T{});
   }
@@ -28,7 +31,7 @@ class Aligned {
 
  private:
   struct Free {
-    void operator()(T* p) const { fftw_free(p); }
+    void operator()(T* p) const { Library::free(p); }
   };
   std::size_t size_ = 0;
   std::unique_ptr<T[], Free> data_;
@@ -42,17 +45,17 @@ template <class T>
 }
 
 struct DestroyPlan {
-  void operator()(fftw_plan p) const { fftw_destroy_plan(p); }
+  void operator()(Library::Plan p) const { Library::destroy(p); }
 };
-using PlanOwner = std::unique_ptr<std::remove_pointer_t<fftw_plan>, DestroyPlan>;
+using PlanOwner = std::unique_ptr<std::remove_pointer_t<Library::Plan>, DestroyPlan>;
 
 /// One row of n real numbers <-> n / 2 + 1 coefficients. Rows start at aligned addresses; the real row and,
 /// on the way back, the coefficients are overwritten.
 class RealRowTransform {
  public:
   explicit RealRowTransform(int n);
-  void forward(double* row, Complex* coefficients) const;
-  void backward(Complex* coefficients, double* row) const;
+  void forward(Real* row, Complex* coefficients) const;
+  void backward(Complex* coefficients, Real* row) const;
 
  private:
   PlanOwner forward_, backward_;

@@ -29,8 +29,8 @@ class FourierX {
   [[nodiscard]] double gain() const { return n_; }
 
   /// One row of n numbers <-> modes() coefficients; both aligned, the input is overwritten.
-  void forward(double* row, Complex* coefficients) const { transform_.forward(row, coefficients); }
-  void backward(Complex* coefficients, double* row) const { transform_.backward(coefficients, row); }
+  void forward(Real* row, Complex* coefficients) const { transform_.forward(row, coefficients); }
+  void backward(Complex* coefficients, Real* row) const { transform_.backward(coefficients, row); }
 
  private:
   int n_;

@@ -35,9 +35,9 @@ Poisson::Poisson(const Grid& g, const parallel::Decomposition& d)
       plane_(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(mode_stride_)) {
   const auto modes_z = parallel::share(g.nz_global, d.px(), d.x_line().rank());
   for (int m = turn_.own_modes().begin; m < turn_.own_modes().end; ++m)
-    kappa2_x_.push_back(transform_x_.wavenumber_squared(m));
+    kappa2_x_.push_back(Real(transform_x_.wavenumber_squared(m)));
   for (int m = modes_z.begin; m < modes_z.end; ++m)
-    kappa2_z_.insert(kappa2_z_.end(), 2, periodic_wavenumber_squared(m, g.nz_global, g.dz));
+    kappa2_z_.insert(kappa2_z_.end(), 2, Real(periodic_wavenumber_squared(m, g.nz_global, g.dz)));
   holds_mean_ = turn_.own_modes().begin == 0 && modes_z.begin == 0 && modes_z.size() > 0;
   if (columns_to_x_.trivial()) return;
   columns_.resize(columns_to_x_.volume(columns_to_x_.before()));
@@ -118,17 +118,18 @@ void Poisson::backward_in_z(int mode) {
 }
 
 void Poisson::solve_systems(Complex* plane, std::ptrdiff_t stride, int mode) {
-  const double scale = 1 / (transform_x_.gain() * grid_.nz_global);
-  tridiagonals_.solve(reinterpret_cast<double*>(plane), 2 * stride, kappa2_x_[static_cast<std::size_t>(mode)],
+  const Real scale = Real(1 / (transform_x_.gain() * grid_.nz_global));
+  tridiagonals_.solve(reinterpret_cast<Real*>(plane), 2 * stride, kappa2_x_[static_cast<std::size_t>(mode)],
                       kappa2_z_, scale);
   if (mode == 0 && holds_mean_) remove_mean(plane, stride);
 }
 
 /// The mean mode is determined up to a constant.
 void Poisson::remove_mean(Complex* plane, std::ptrdiff_t stride) const {
-  Complex mean = 0.0;
-  for (int j = 0; j < grid_.ny; ++j) mean += plane[j * stride] * grid_.dy[j] / grid_.height;
-  for (int j = 0; j < grid_.ny; ++j) plane[j * stride] -= mean;
+  std::complex<double> mean = 0.0;
+  for (int j = 0; j < grid_.ny; ++j)
+    mean += std::complex<double>(plane[j * stride]) * grid_.dy[j] / grid_.height;
+  for (int j = 0; j < grid_.ny; ++j) plane[j * stride] -= Complex(mean);
 }
 
 // What follows is needed only where x is shared, too.

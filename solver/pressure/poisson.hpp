@@ -27,7 +27,6 @@
 namespace softwall::pressure {
 
 using grid::Grid;
-using grid::Real;
 
 class Poisson {
  public:
@@ -57,17 +56,17 @@ class Poisson {
 
   const Grid& grid_;
   FourierX transform_x_;
-  parallel::Transfer<double> columns_to_x_;
+  parallel::Transfer<Real> columns_to_x_;
   const int rows_;  ///< in y, of this rank, where x is whole
   parallel::Transposition<Complex> turn_;
   parallel::Transfer<Complex> z_to_y_;  ///< extents (mode in x, y, z)
   const int row_stride_, mode_stride_;  ///< padded lengths of a row of coefficients in x, and in z
   ComplexRowsTransform transform_z_;
   Tridiagonals tridiagonals_;
-  std::vector<double> kappa2_x_;         ///< of this rank's modes in x
-  std::vector<double> kappa2_z_;         ///< of this rank's modes in z, each twice: real and imaginary part
+  std::vector<Real> kappa2_x_;           ///< of this rank's modes in x
+  std::vector<Real> kappa2_z_;           ///< of this rank's modes in z, each twice: real and imaginary part
   bool holds_mean_ = false;              ///< this rank has the mode kx = kz = 0
-  Aligned<double> row_;                  ///< one row of cells
+  Aligned<Real> row_;                    ///< one row of cells
   Aligned<Complex> block_;               ///< coefficients in x of a few rows
   Aligned<Complex> plane_;               ///< one mode in x: coefficients in z of all rows
   std::vector<Real> columns_, x_whole_;  ///< px > 1
