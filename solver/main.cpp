@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "solver/right_program.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stop_request.hpp"
 
@@ -30,6 +31,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(softwall::ExitCode::kBadCase);
   }
+  softwall::become_right_program(options.files, argv);
   const softwall::parallel::Session mpi(&argc, &argv);
   try {
     return static_cast<int>(softwall::run_case(options, MPI_COMM_WORLD));

@@ -6,6 +6,7 @@
 #include "solver/case/bad_input.hpp"
 #include "solver/case/build_info.hpp"
 #include "solver/case/input_file.hpp"
+#include "solver/case/programs.hpp"
 #include "solver/output/agree.hpp"
 #include "solver/output/parallel_file.hpp"
 #include "solver/output/run_lock.hpp"
@@ -31,6 +32,16 @@ Case read_shared_case(const RunFiles& files, const parallel::Communicator& world
   return *parsed;
 }
 
+/// main() has changed to the program of the right precision, if it could.
+void require_precision(const Case& c) {
+  const Precision wanted = c.physics.precision;
+  if (wanted == grid::kPrecision) return;
+  throw output::AgreedError(ExitCode::kFailed, "this program computes in " + name_of(grid::kPrecision) +
+                                                   " precision, physics.precision is " + name_of(wanted) +
+                                                   ": cannot start " +
+                                                   solver_program(folder_of_this_program(), wanted).string());
+}
+
 std::string introduction(const Case& c, const RunOptions& options, int ranks) {
   const BuildInfo build = build_info();
   const auto& p = c.physics;
@@ -41,7 +52,7 @@ std::string introduction(const Case& c, const RunOptions& options, int ranks) {
        << (p.solid ? "elastic wall" : "rigid channel") << ", Re " << p.reynolds;
   if (p.solid) text << ", G " << p.solid->G << ", viscosity ratio " << p.solid->viscosity_ratio;
   text << ", grid " << p.grid.nx << " x " << p.grid.ny() << " x " << p.grid.nz << ", to time "
-       << c.run.end_time;
+       << c.run.end_time << ", in " << name_of(p.precision) << " precision";
   return text.str();
 }
 
@@ -91,6 +102,7 @@ ExitCode run_case(const RunOptions& options, MPI_Comm comm) {
   const auto world = parallel::Communicator::duplicate(comm);
   try {
     const Case c = read_shared_case(options.files, world);
+    require_precision(c);
     if (world.rank() == 0) {
       std::printf("%s\n", introduction(c, options, world.size()).c_str());
       std::fflush(stdout);

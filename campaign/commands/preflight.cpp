@@ -14,6 +14,7 @@
 #include "campaign/observe.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/file_descriptor.hpp"
+#include "solver/case/programs.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -34,7 +35,7 @@ fs::path find_solver() {
     if (!is_program(chosen)) refuse("SOFTWALL_DNS", chosen, "an executable softwall-dns");
     return fs::absolute(chosen);
   }
-  const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path() / "softwall-dns";
+  const fs::path beside = solver_program(folder_of_this_program(), Precision::kDouble);
   if (!is_program(beside)) {
     refuse("softwall-dns", "no executable " + beside.string(),
            "the solver built beside softwall, or named by the environment variable SOFTWALL_DNS");
@@ -61,12 +62,24 @@ std::string gigabytes(double bytes) {
 /// Velocity and pressure; in a layer also phi and the six components of B.
 double checkpoint_bytes(const Physics& physics) {
   const double cells = static_cast<double>(physics.grid.nx) * physics.grid.ny() * physics.grid.nz;
-  return cells * sizeof(double) * (physics.flow == FlowType::kElasticWall ? 11 : 4);
+  const std::size_t bytes = physics.precision == Precision::kSingle ? sizeof(float) : sizeof(double);
+  return cells * static_cast<double>(bytes) * (physics.flow == FlowType::kElasticWall ? 11 : 4);
 }
 
 }  // namespace
 
 ProcessLauncher::Programs find_programs() { return {find_on_path("mpirun"), find_solver()}; }
+
+void require_precisions(const Campaign& campaign, const fs::path& solver) {
+  const fs::path folder = fs::canonical(solver).parent_path();
+  for (const CampaignCase& one : campaign.cases) {
+    const Precision precision = one.definition.physics.precision;
+    const fs::path program = solver_program(folder, precision);
+    if (precision == Precision::kDouble || is_program(program)) continue;
+    refuse("physics.precision " + name_of(precision), "no executable " + program.string(),
+           "the solver of that precision, built beside softwall-dns");
+  }
+}
 
 void require_writable(const fs::path& folder) {
   const fs::path probe = folder / (".softwall-" + std::to_string(getpid()));

@@ -11,6 +11,9 @@ namespace softwall::campaign {
 /// softwall-dns: $SOFTWALL_DNS, or beside softwall itself; mpirun: on the PATH.
 [[nodiscard]] ProcessLauncher::Programs find_programs();
 
+/// The solver of every precision that the campaign's cases ask for stands beside `solver`.
+void require_precisions(const Campaign& campaign, const std::filesystem::path& solver);
+
 /// A file can be made in the campaign's folder.
 void require_writable(const std::filesystem::path& folder);
 

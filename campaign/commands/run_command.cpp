@@ -59,6 +59,7 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   require_writable(loaded.folder);
   const CampaignLock lock(loaded.folder);
   const auto programs = find_programs();
+  require_precisions(loaded.campaign, programs.solver);
   require_disk_space(loaded.campaign, loaded.folder);
 
   RunnerReport report;

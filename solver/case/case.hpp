@@ -15,6 +15,7 @@ namespace softwall {
 enum class FlowType { kRigidChannel, kElasticWall };
 enum class InitialType { kPerturbedLaminar, kPrecursor };
 enum class WenoWeights { kJiangShu, kZ };
+enum class Precision { kDouble, kSingle };
 
 struct GridSpec {
   int nx = 0;
@@ -58,7 +59,8 @@ struct Physics {
   double reynolds = 0.0;
   double length_x = 0.0, length_z = 0.0, layer_height = 0.0;
   GridSpec grid;
-  std::optional<SolidSpec> solid;  ///< present exactly when flow is elastic_wall
+  Precision precision = Precision::kDouble;  ///< of the fields
+  std::optional<SolidSpec> solid;            ///< present exactly when flow is elastic_wall
   TimeStepSpec time_step;
   InitialSpec initial;
   StatisticsSpec statistics;
@@ -80,6 +82,9 @@ struct Case {
   RunSpec run;
   std::string id;  ///< case_id(physics), 16 hexadecimal digits
 };
+
+/// "double" or "single", as in a case and in the header of a checkpoint.
+[[nodiscard]] std::string name_of(Precision precision);
 
 /// All mistakes of an input at once, one per line: JSON pointer, what was given, what is allowed.
 struct BadInput;  // solver/case/bad_input.hpp

@@ -20,6 +20,7 @@ constexpr Names<FlowType> kFlowNames{
 constexpr Names<InitialType> kInitialNames{
     {{InitialType::kPerturbedLaminar, "perturbed_laminar"}, {InitialType::kPrecursor, "precursor"}}};
 constexpr Names<WenoWeights> kWenoNames{{{WenoWeights::kJiangShu, "js"}, {WenoWeights::kZ, "z"}}};
+constexpr Names<Precision> kPrecisionNames{{{Precision::kDouble, "double"}, {Precision::kSingle, "single"}}};
 
 template <typename Enum>
 std::string name_of(Enum value, const Names<Enum>& names) {
@@ -65,6 +66,7 @@ Physics physics_from(const json& physics) {
   result.length_z = domain.at("length_z");
   result.layer_height = domain.at("layer_height");
   result.grid = grid_from(physics.at("grid"));
+  result.precision = named(physics.at("precision"), kPrecisionNames);
   if (physics.contains("solid")) result.solid = solid_from(physics.at("solid"));
   result.time_step = time_step_from(physics.at("time_step"));
   result.initial = initial_from(physics.at("initial"));
@@ -127,6 +129,7 @@ json to_json(const Physics& physics) {
                    {"length_z", physics.length_z},
                    {"layer_height", physics.layer_height}}},
                  {"grid", to_json(physics.grid)},
+                 {"precision", name_of(physics.precision)},
                  {"time_step", to_json(physics.time_step)},
                  {"initial", to_json(physics.initial)},
                  {"statistics", to_json(physics.statistics)}};
@@ -144,6 +147,8 @@ json to_json(const RunSpec& run) {
 }
 
 }  // namespace
+
+std::string name_of(Precision precision) { return name_of(precision, kPrecisionNames); }
 
 Case valid_case(const json& filled) {
   return {filled.at("label"), physics_from(filled.at("physics")), run_from(filled.at("run")),

@@ -16,8 +16,15 @@
 /// i, j, k count this rank's cells from 0; y is whole on every rank: v(i,0,k) and v(i,ny,k) lie on the walls.
 namespace softwall::grid {
 
-/// A number of a field. What belongs to the whole flow - time, steps, geometry, sums, statistics - is double.
+/// A number of a field. The solver is compiled once for each precision (CMakeLists.txt); what belongs to the
+/// whole flow - time, steps, geometry, sums, statistics - is double in both.
+#ifdef SOFTWALL_SINGLE
+using Real = float;
+inline constexpr Precision kPrecision = Precision::kSingle;
+#else
 using Real = double;
+inline constexpr Precision kPrecision = Precision::kDouble;
+#endif
 
 /// One number for each row j = -kGhost .. ny + kGhost - 1, stored with its offset.
 class RowArray {

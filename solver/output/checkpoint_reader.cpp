@@ -33,7 +33,7 @@ std::string cells(const std::array<int, 3>& n) {
 }
 
 void check_grid(const CheckpointFile& file, const CheckpointHeader& header, const grid::Grid& g) {
-  must_equal("precision", header.precision, std::string("double"));
+  must_equal("precision", header.precision, name_of(grid::kPrecision));
   must_equal("grid (nx x ny x nz)", cells(header.grid), cells({g.nx_global, g.ny, g.nz_global}));
   must_equal("length in x", header.length[0], g.length_x);
   must_equal("height", header.length[1], g.height);

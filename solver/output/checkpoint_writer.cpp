@@ -60,6 +60,7 @@ std::uint64_t shared_digest(const std::filesystem::path& file, std::int64_t byte
 CheckpointHeader header_for(const Author& author, const time::State& state, const time::Setup& setup) {
   const auto& g = setup.grid;
   CheckpointHeader header;
+  header.precision = name_of(grid::kPrecision);
   header.case_id = author.case_id;
   header.step = state.step;
   header.time = state.time;
@@ -84,7 +85,7 @@ std::int64_t file_size(const std::filesystem::path& file, const parallel::Commun
 std::int64_t checkpoint_bytes(time::State& state, const grid::Grid& g) {
   std::int64_t rows = 0;
   for (const time::NamedField& f : time::fields_of(state)) rows += f.rows;
-  return rows * g.nx_global * g.nz_global * std::int64_t{sizeof(double)};
+  return rows * g.nx_global * g.nz_global * std::int64_t{sizeof(grid::Real)};
 }
 
 std::filesystem::path write_checkpoint(const RunFiles& run, const Author& author, time::State& state,

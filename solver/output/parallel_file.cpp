@@ -46,8 +46,8 @@ Hdf5Id create_dataset(hid_t file, const std::string& name, hid_t type, hid_t spa
 }
 
 /// This rank's cells in the order of the file.
-std::vector<double> packed(const grid::Field& field, int rows) {
-  std::vector<double> values;
+std::vector<grid::Real> packed(const grid::Field& field, int rows) {
+  std::vector<grid::Real> values;
   values.reserve(static_cast<std::size_t>(field.nx()) * static_cast<std::size_t>(rows) *
                  static_cast<std::size_t>(field.nz()));
   const auto q = field.view();
@@ -128,7 +128,8 @@ void ParallelFile::write_field(const Label& label, const grid::Field& field, int
   const Selection selection{{size(g.nz_global), size(rows), size(g.nx_global)},
                             {size(g.z_begin), 0, size(g.x_begin)},
                             {size(g.nz), size(rows), size(g.nx)}};
-  write(label, H5T_IEEE_F64LE, selection, packed(field, rows).data());
+  write(label, sizeof(grid::Real) == sizeof(float) ? H5T_IEEE_F32LE : H5T_IEEE_F64LE, selection,
+        packed(field, rows).data());
 }
 
 void ParallelFile::write_values(const Label& label, std::span<const double> values) {

@@ -29,7 +29,7 @@ class ParallelFile {
   ParallelFile(std::filesystem::path path, const parallel::Communicator& all, std::int64_t user_block);
 
   void create_group(const std::string& name);
-  /// The cells of all ranks as one array [nz][rows][nx] of doubles.
+  /// The cells of all ranks as one array [nz][rows][nx], in the precision of the fields.
   void write_field(const Label& label, const grid::Field& field, int rows, const grid::Grid& grid);
   /// Numbers that are the same on every rank; rank 0 writes them.
   void write_values(const Label& label, std::span<const double> values);

@@ -48,9 +48,9 @@ std::string xdmf(const std::string& data, const time::State& state, const grid::
                  const std::vector<std::string>& fields) {
   std::ostringstream out;
   out.precision(17);
-  const auto item = [&](const std::string& name, const std::string& extents) {
-    out << "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"" << extents << "\">"
-        << data << ":/" << name << "</DataItem>";
+  const auto item = [&](const std::string& name, const std::string& extents, std::size_t bytes) {
+    out << "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"" << bytes << "\" Dimensions=\""
+        << extents << "\">" << data << ":/" << name << "</DataItem>";
   };
   std::ostringstream cells;
   cells << g.nz_global << " " << g.ny << " " << g.nx_global;
@@ -59,13 +59,13 @@ std::string xdmf(const std::string& data, const time::State& state, const grid::
       << "<Time Value=\"" << state.time << "\"/>\n<Topology TopologyType=\"3DRectMesh\" Dimensions=\""
       << g.nz_global + 1 << " " << g.ny + 1 << " " << g.nx_global + 1
       << "\"/>\n<Geometry GeometryType=\"VXVYVZ\">";
-  item("x", std::to_string(g.nx_global + 1));
-  item("y", std::to_string(g.ny + 1));
-  item("z", std::to_string(g.nz_global + 1));
+  item("x", std::to_string(g.nx_global + 1), sizeof(double));
+  item("y", std::to_string(g.ny + 1), sizeof(double));
+  item("z", std::to_string(g.nz_global + 1), sizeof(double));
   out << "</Geometry>\n";
   for (const auto& name : fields) {
     out << "<Attribute Name=\"" << name << "\" AttributeType=\"Scalar\" Center=\"Cell\">";
-    item(name, cells.str());
+    item(name, cells.str(), sizeof(grid::Real));
     out << "</Attribute>\n";
   }
   out << "</Grid></Domain></Xdmf>\n";

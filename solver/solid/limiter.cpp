@@ -1,6 +1,8 @@
 #include "solver/solid/limiter.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace softwall::solid {
@@ -17,8 +19,10 @@ SymmetricTensor tensor_at_center(const grid::TensorField& B, int i, int j, int k
 
 namespace {
 
-/// More than the error of min_eigenvalue (half the digits where two eigenvalues meet).
-constexpr double kBeyond = 1e-6;
+/// More than what may be lost after the shift: by min_eigenvalue, half the digits of double where two
+/// eigenvalues meet; by storing a component as Real, half an epsilon of |B_ii + shift| <= 4 (|trace| +
+/// missing).
+constexpr double kBeyond = std::max(1e-6, 16.0 * std::numeric_limits<grid::Real>::epsilon());
 
 /// Cells of one row that fail Sylvester's criterion for B - floor I: a cheap test that vectorizes.
 int failures_in_row(const grid::TensorField& B, double floor, const grid::Box& box, int j, int k) {

@@ -26,6 +26,7 @@ TEST(Case, EveryMemberArrives) {
   EXPECT_EQ(p.grid.ny(), 52);
   EXPECT_EQ(p.grid.nz, 17);
   EXPECT_EQ(p.grid.stretching, 1.25);
+  EXPECT_EQ(p.precision, Precision::kSingle);
   ASSERT_TRUE(p.solid);
   EXPECT_EQ(p.solid->G, 0.3);
   EXPECT_EQ(p.solid->viscosity_ratio, 0.1);

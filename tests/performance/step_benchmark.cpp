@@ -84,8 +84,8 @@ class Reporter : public benchmark::BenchmarkReporter {
     std::sort(speeds.begin(), speeds.end());
     if (speeds.empty() || !(speeds.front() < kMostNanoseconds)) ++bad_;
     if (!prints_) return;
-    std::cout << runs.front().run_name.function_name << ", double, " << runs.front().counters.at("ranks")
-              << " ranks: ";
+    std::cout << runs.front().run_name.function_name << ", " << name_of(grid::kPrecision) << ", "
+              << runs.front().counters.at("ranks") << " ranks: ";
     if (speeds.empty()) {
       std::cout << runs.front().error_message << std::endl;
     } else {
