@@ -27,7 +27,9 @@ class Restart : public testing::TestWithParam<Setting> {
  protected:
   [[nodiscard]] int ranks() const { return GetParam().ranks; }
   [[nodiscard]] static json a_case(int steps) {
-    return std::string(GetParam().flow) == "rigid" ? rigid_case(steps) : elastic_case(steps);
+    json c = std::string(GetParam().flow) == "rigid" ? rigid_case(steps) : elastic_case(steps);
+    if (std::string(GetParam().flow) == "single") c["physics"]["precision"] = "single";
+    return c;
   }
   /// Never stopped.
   [[nodiscard]] std::unique_ptr<SolverRun> reference(int steps) const {
@@ -40,7 +42,8 @@ class Restart : public testing::TestWithParam<Setting> {
 
 INSTANTIATE_TEST_SUITE_P(, Restart,
                          testing::Values(Setting{"rigid", 1}, Setting{"rigid", 2}, Setting{"rigid", 4},
-                                         Setting{"elastic", 1}, Setting{"elastic", 2}, Setting{"elastic", 4}),
+                                         Setting{"elastic", 1}, Setting{"elastic", 2}, Setting{"elastic", 4},
+                                         Setting{"single", 2}),
                          [](const auto& test) { return test.param.flow + std::to_string(test.param.ranks); });
 
 TEST_P(Restart, FromEachCheckpointOfAnInterval) {

@@ -4,6 +4,7 @@
 
 #include "solver/solid/elastic_force.hpp"
 #include "tests/support/physics.hpp"
+#include "tests/support/round_off.hpp"
 #include "tests/support/stretching_views.hpp"
 
 namespace softwall::solid {
@@ -89,9 +90,9 @@ TEST_P(Limiter, LeavesGoodCellsAndAllShearAlone) {
   for (int k = 0; k < d.grid.nz; ++k) {
     for (int j = 0; j < d.grid.ny; ++j) {
       for (int i = 0; i < d.grid.nx; ++i) {
-        const double shift = m.B.xx(i, j, k) - before.B.xx(i, j, k);
-        ASSERT_NEAR(m.B.yy(i, j, k) - before.B.yy(i, j, k), shift, 1e-15);
-        ASSERT_NEAR(m.B.zz(i, j, k) - before.B.zz(i, j, k), shift, 1e-15);
+        const double shift = double(m.B.xx(i, j, k)) - before.B.xx(i, j, k);
+        ASSERT_NEAR(double(m.B.yy(i, j, k)) - before.B.yy(i, j, k), shift, support::round_off(4));
+        ASSERT_NEAR(double(m.B.zz(i, j, k)) - before.B.zz(i, j, k), shift, support::round_off(4));
         const bool good = min_eigenvalue(tensor_at_center(before.B, i, j, k)) > kFloor;
         ASSERT_TRUE(!good || shift == 0);
         ASSERT_EQ(m.B.xy(i, j, k), before.B.xy(i, j, k));
@@ -139,7 +140,8 @@ TEST_P(Limiter, MovesNothing) {
       support::largest_difference(support::global_values(force_before.x, g, g.ny, d.decomposition.all()),
                                   support::global_values(force_after.x, g, g.ny, d.decomposition.all()));
   EXPECT_GT(changed, 0.1);  // the force itself does change
-  EXPECT_LT(support::largest_difference(project(force_after), free), 1e-12 * support::largest(free));
+  EXPECT_LT(support::largest_difference(project(force_after), free),
+            support::round_off(4000) * support::largest(free));
 }
 
 INSTANTIATE_TEST_SUITE_P(UniformAndStretched, Limiter, testing::Values(0.0, 1.5));

@@ -1,14 +1,17 @@
 # softwall_add_mpi_test(NAME pressure_tests SOURCES poisson_test.cpp ... RANKS 1 2 4)
 #   one GoogleTest executable, run as NAME.ranks<N> under mpirun for each number of ranks.
+#   SINGLE: with the solver's single precision.
 include_guard(GLOBAL)
 
 add_library(softwall_test_support STATIC ${CMAKE_CURRENT_LIST_DIR}/mpi_main.cpp)
 target_link_libraries(softwall_test_support PUBLIC softwall_solver GTest::gtest)
+add_library(softwall_test_support_single STATIC ${CMAKE_CURRENT_LIST_DIR}/mpi_main.cpp)
+target_link_libraries(softwall_test_support_single PUBLIC softwall_solver_single GTest::gtest)
 
 function(softwall_add_mpi_test)
-  cmake_parse_arguments(TEST "" "NAME" "SOURCES;RANKS" ${ARGN})
+  cmake_parse_arguments(TEST "SINGLE" "NAME" "SOURCES;RANKS" ${ARGN})
   add_executable(${TEST_NAME} ${TEST_SOURCES})
-  target_link_libraries(${TEST_NAME} PRIVATE softwall_test_support)
+  target_link_libraries(${TEST_NAME} PRIVATE softwall_test_support$<$<BOOL:${TEST_SINGLE}>:_single>)
   foreach(ranks IN LISTS TEST_RANKS)
     set(test ${TEST_NAME}.ranks${ranks})
     add_test(NAME ${test} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks}
