@@ -59,7 +59,10 @@ StepLimits step_limits(const Physics& physics) {
   return limits;
 }
 
-double default_ns_per_cell_step(FlowType flow) { return flow == FlowType::kElasticWall ? 600.0 : 250.0; }
+double default_ns_per_cell_step(const Physics& physics) {
+  const double in_double = physics.flow == FlowType::kElasticWall ? 600.0 : 250.0;
+  return physics.precision == Precision::kSingle ? in_double / 2 : in_double;
+}
 
 Estimate estimate(const Case& c, double ns_per_cell_step, double reached) {
   constexpr double kNanosecondsPerHour = 3.6e12;

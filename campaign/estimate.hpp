@@ -20,8 +20,8 @@ struct Estimate {
   double core_hours = 0.0;
 };
 
-/// Core-nanoseconds per cell and step when nothing has been measured on this machine.
-[[nodiscard]] double default_ns_per_cell_step(FlowType flow);
+/// Core-nanoseconds per cell and step of a case when nothing has been measured on this machine.
+[[nodiscard]] double default_ns_per_cell_step(const Physics& physics);
 
 /// From time `reached` to the end time. ns_per_cell_step: core-nanoseconds (wall clock times ranks) per cell
 /// and step.

@@ -25,16 +25,18 @@ bool costs_nothing(const Observation& seen) {
 }  // namespace
 
 double measured_ns_per_cell_step(const Campaign& campaign, const std::vector<Observation>& observations,
-                                 FlowType flow) {
+                                 const Physics& physics) {
   double sum = 0;
   int measured = 0;
   for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
     const CampaignCase& one = campaign.cases[i];
-    if (one.definition.physics.flow != flow || observations[i].seconds_per_step <= 0) continue;
+    const Physics& other = one.definition.physics;
+    const bool alike = other.flow == physics.flow && other.precision == physics.precision;
+    if (!alike || observations[i].seconds_per_step <= 0) continue;
     sum += observations[i].seconds_per_step * one.ranks * 1e9 / cells_of(one);
     ++measured;
   }
-  return measured > 0 ? sum / measured : default_ns_per_cell_step(flow);
+  return measured > 0 ? sum / measured : default_ns_per_cell_step(physics);
 }
 
 double remaining_seconds(const Campaign& campaign, const std::vector<Observation>& observations,
@@ -49,7 +51,7 @@ double remaining_seconds(const Campaign& campaign, const std::vector<Observation
     double seconds =
         status == working.end() ? 0 : wall_seconds_left(status->second, one.definition.run.end_time);
     if (seconds == 0) {
-      const double ns = measured_ns_per_cell_step(campaign, observations, one.definition.physics.flow);
+      const double ns = measured_ns_per_cell_step(campaign, observations, one.definition.physics);
       const double reached = status == working.end() ? observations[i].time : status->second.time;
       seconds = estimate(one.definition, ns, reached).core_hours * 3600 / one.ranks;
     }

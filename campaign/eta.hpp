@@ -14,9 +14,10 @@ namespace softwall::campaign {
 [[nodiscard]] double remaining_seconds(const Campaign& campaign, const std::vector<Observation>& observations,
                                        const std::map<std::string, Status>& working, int cores);
 
-/// Core-nanoseconds per cell and step, the mean of what was measured for cases of this flow; the default of
-/// estimate.hpp when nothing was.
+/// Core-nanoseconds per cell and step, the mean of what was measured for cases of the same flow and
+/// precision; the default of estimate.hpp when nothing was.
 [[nodiscard]] double measured_ns_per_cell_step(const Campaign& campaign,
-                                               const std::vector<Observation>& observations, FlowType flow);
+                                               const std::vector<Observation>& observations,
+                                               const Physics& physics);
 
 }  // namespace softwall::campaign

@@ -27,7 +27,7 @@ std::vector<PlannedCase> plan_all(const LoadedCampaign& loaded) {
   std::vector<PlannedCase> planned;
   for (std::size_t i = 0; i < loaded.campaign.cases.size(); ++i) {
     const CampaignCase& one = loaded.campaign.cases[i];
-    const double ns = measured_ns_per_cell_step(loaded.campaign, observations, one.definition.physics.flow);
+    const double ns = measured_ns_per_cell_step(loaded.campaign, observations, one.definition.physics);
     const bool done = decisions[i].outlook == Outlook::kKept;
     const double reached = done ? one.definition.run.end_time : observations[i].time;
     planned.push_back({&one, decisions[i], estimate(one.definition, ns, reached)});

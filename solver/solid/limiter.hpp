@@ -13,7 +13,7 @@ namespace softwall::solid {
 [[nodiscard]] SymmetricTensor tensor_at_center(const grid::TensorField& B, int i, int j, int k);
 
 /// Where the smallest eigenvalue of B at a center has fallen below `floor`, adds the multiple of the identity
-/// that brings it back to `floor`, and a millionth of the trace more: round-off must not ask for the same
+/// that brings it back to `floor`, and some millionths of the trace more: round-off must not ask for the same
 /// cell again, so that a restart, which applies the limiter to limited cells, changes no bit. Only the cell's
 /// own normal components change, and the added stress is a pressure: the limiter itself moves nothing. Shear
 /// ghost cells must be filled. Returns the number of cells touched here.

@@ -13,7 +13,9 @@ using grid::Real;
 
 template <WenoWeights kWeights>
 inline Real weno5(Real q0, Real q1, Real q2, Real q3, Real q4) {
-  constexpr Real kTiny = kWeights == WenoWeights::kJiangShu ? 1e-6 : 1e-20;
+  // The papers' values; 1e-20 where its square, and what is divided by it, are numbers that Real can hold.
+  constexpr Real kTinyZ = sizeof(Real) == sizeof(float) ? 1e-8 : 1e-20;
+  constexpr Real kTiny = kWeights == WenoWeights::kJiangShu ? Real(1e-6) : kTinyZ;
   const auto square = [](Real x) { return x * x; };
   const Real b0 = Real(13.0 / 12) * square(q0 - 2 * q1 + q2) + Real(0.25) * square(q0 - 4 * q1 + 3 * q2);
   const Real b1 = Real(13.0 / 12) * square(q1 - 2 * q2 + q3) + Real(0.25) * square(q1 - q3);

@@ -72,6 +72,14 @@ class BadInput(EndToEndTest):
             self.assertFalse((campaign.folder / "results.db").exists())
             self.assertFalse((campaign.folder / "cases").exists())
 
+    def test_a_missing_solver_of_the_other_precision_too(self):
+        campaign = self.campaign(changed(CAMPAIGN, physics=dict(CAMPAIGN["physics"], precision="single")))
+        alone = campaign.folder / "softwall-dns"
+        shutil.copy(Path(SOFTWALL).parent / "softwall-dns", alone)
+        answer = campaign.call("run", env={**os.environ, "SOFTWALL_DNS": str(alone)})
+        self.assert_refused(answer, "physics.precision single", str(alone) + "-single")
+        self.assertFalse((campaign.folder / "cases").exists())
+
     def test_a_solver_that_cannot_run_fails_each_case_and_is_retried_after_repair(self):
         campaign = self.campaign(changed(CAMPAIGN, sweep={"list": [{"G": 1}]}))
         broken = campaign.folder / "broken-dns"

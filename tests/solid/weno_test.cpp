@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "tests/support/order.hpp"
+#include "tests/support/round_off.hpp"
 
 namespace softwall::solid {
 namespace {
@@ -32,19 +33,22 @@ TEST(Weno, IsExactForQuadratics) {
       const auto primitive = [](double x) { return 3 * x + 2 * x * x - x * x * x / 3 * 1.5; };
       const auto exact = [](double x) { return 3 + 4 * x - 1.5 * x * x; };
       for (const double face : {-1.0, 0.0, 0.7})
-        EXPECT_NEAR(face_value(weno, primitive, face, h), exact(face), 1e-12);
+        EXPECT_NEAR(face_value(weno, primitive, face, h), exact(face), support::round_off(500));
     }
   }
 }
 
 TEST(Weno, KeepsConstantsToTheLastBits) {
   for (const auto weno : kBoth) {
-    for (const double c : {0.0, 1.0, 1.0 / 3, 1e8, -1e-8})
-      EXPECT_NEAR(weno(c, c, c, c, c), c, 4e-16 * std::abs(c));
+    for (const double value : {0.0, 1.0, 1.0 / 3, 1e8, -1e-8}) {
+      const Real c = Real(value);
+      EXPECT_NEAR(weno(c, c, c, c, c), c, support::round_off(2) * std::abs(c));
+    }
   }
 }
 
 TEST(Weno, IsFifthOrderOnSmoothData) {
+  if (sizeof(Real) == sizeof(float)) GTEST_SKIP() << "its errors are below single precision's round-off";
   for (const auto weno : kBoth) {
     const auto error = [&](int n) {
       double total = 0;
@@ -65,9 +69,13 @@ TEST(Weno, StaysBetweenTheValuesAtAJump) {
   for (const auto weno : kBoth) {
     for (const auto& q :
          {std::array{0., 0., 0., 1., 1.}, {0., 0., 0., 0., 1.}, {1., 1., 0., 0., 0.}, {1., 0., 0., 0., 0.}}) {
-      const double value = weno(q[0], q[1], q[2], q[3], q[4]);
-      EXPECT_GT(value, -0.01);
-      EXPECT_LT(value, 1.01);
+      for (const double size : {1e-3, 1.0, 500.0}) {
+        std::array<Real, 5> jump{};
+        for (std::size_t n = 0; n < q.size(); ++n) jump[n] = Real(size * q[n]);
+        const double value = weno(jump[0], jump[1], jump[2], jump[3], jump[4]) / size;
+        EXPECT_GT(value, -0.01) << size;
+        EXPECT_LT(value, 1.01) << size;
+      }
     }
   }
 }
@@ -81,7 +89,7 @@ TEST(UpwindFlux, LooksUpstream) {
   const std::array<Real, 6> q{1, 2, 3, 9, 9, 9}, mirrored{9, 9, 9, 3, 2, 1};
   constexpr auto kZ = WenoWeights::kZ;
   EXPECT_NEAR(upwind_flux<kZ>(&q[3], 1, 2.0), 2 * 3.5, 0.2);
-  EXPECT_NEAR(upwind_flux<kZ>(&q[3], 1, -2.0), -2 * 9, 1e-6);
+  EXPECT_NEAR(upwind_flux<kZ>(&q[3], 1, -2.0), -2 * 9, support::round_off(200));
   EXPECT_EQ(upwind_flux<kZ>(&q[3], 1, 2.0), -upwind_flux<kZ>(&mirrored[3], 1, -2.0));
   EXPECT_EQ(upwind_flux<kZ>(&q[3], 1, 0.0), 0);
 }

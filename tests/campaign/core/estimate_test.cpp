@@ -55,9 +55,15 @@ TEST(Estimate, CostIsStepsTimesCellsTimesSpeed) {
 }
 
 TEST(Estimate, SpeedsAssumedArePlausible) {
+  Physics physics;
   for (const FlowType flow : {FlowType::kRigidChannel, FlowType::kElasticWall}) {
-    EXPECT_GT(default_ns_per_cell_step(flow), 10.0);
-    EXPECT_LT(default_ns_per_cell_step(flow), 10000.0);
+    physics.flow = flow;
+    physics.precision = Precision::kDouble;
+    const double in_double = default_ns_per_cell_step(physics);
+    EXPECT_GT(in_double, 10.0);
+    EXPECT_LT(in_double, 10000.0);
+    physics.precision = Precision::kSingle;
+    EXPECT_LT(default_ns_per_cell_step(physics), in_double);
   }
 }
 
