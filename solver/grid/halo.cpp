@@ -53,11 +53,61 @@ Shift shift_to(Side side, const Field& f, RowSpan r) {
   }
 }
 
+bool in_x(Side side) { return side == Side::kLowX || side == Side::kHighX; }
+
+/// A direction that is all on this rank, however narrow: each ghost cell is a copy of an interior one.
+void wrap(Side side, Field& f, RowSpan rows) {
+  const auto cell = f.view();
+  const Box to = shift_to(side, f, rows).to;
+  const auto wrapped = [](int index, int n) { return (index % n + n) % n; };
+  for (int k = to.k0; k < to.k1; ++k) {
+    for (int j = to.j0; j < to.j1; ++j) {
+      if (in_x(side)) {
+        for (int i = to.i0; i < to.i1; ++i) cell(i, j, k) = cell(wrapped(i, f.nx()), j, k);
+      } else {
+        const Real* from = &cell(to.i0, j, wrapped(k, f.nz()));
+        std::copy(from, from + (to.i1 - to.i0), &cell(to.i0, j, k));
+      }
+    }
+  }
+}
+
+/// The ghost columns beyond a wall become copies of the column at it.
+void repeat_column(Side side, Field& f, RowSpan rows) {
+  const auto cell = f.view();
+  const Box to = shift_to(side, f, rows).to;
+  const int at_wall = side == Side::kLowX ? 0 : f.nx() - 1;
+  for_each_cell(to, [=](int i, int j, int k) { cell(i, j, k) = cell(at_wall, j, k); });
+}
+
 }  // namespace
 
-Halo::Halo(const parallel::Decomposition& decomposition) : decomposition_(decomposition) {}
+Halo::Halo(const parallel::Decomposition& decomposition, bool walls_in_x)
+    : decomposition_(decomposition), walls_in_x_(walls_in_x) {}
+
+const parallel::Communicator& Halo::line_of(Side side) const {
+  return in_x(side) ? decomposition_.x_line() : decomposition_.z_line();
+}
+
+bool Halo::at_wall(Side side) const {
+  const auto& line = decomposition_.x_line();
+  return walls_in_x_ && ((side == Side::kLowX && line.rank() == 0) ||
+                         (side == Side::kHighX && line.rank() == line.size() - 1));
+}
 
 void Halo::fill_side(Side side, std::initializer_list<Field*> fields, RowSpan rows) {
+  if (line_of(side).size() > 1) {
+    exchange(side, fields, rows);
+  } else {
+    for (Field* f : fields) wrap(side, *f, rows);
+  }
+  if (!at_wall(side)) return;
+  for (Field* f : fields) repeat_column(side, *f, rows);
+}
+
+/// With the neighbours along the line: more than one rank, each with at least as many columns as ghost
+/// layers.
+void Halo::exchange(Side side, std::initializer_list<Field*> fields, RowSpan rows) {
   std::size_t total = 0;
   for (const Field* f : fields) total += cells(shift_to(side, *f, rows).from);
   if (send_.size() < total) {
@@ -66,21 +116,16 @@ void Halo::fill_side(Side side, std::initializer_list<Field*> fields, RowSpan ro
   }
   std::size_t n = 0;
   for (Field* f : fields) n += copy_box<true>(*f, shift_to(side, *f, rows).from, send_.data() + n);
-  const bool in_x = side == Side::kLowX || side == Side::kHighX;
-  const auto& line = in_x ? decomposition_.x_line() : decomposition_.z_line();
+  const auto& line = line_of(side);
   const int ranks = line.size(), rank = line.rank();
-  Real* arrived = send_.data();
-  if (ranks > 1) {
-    const int direction = shift_to(side, **fields.begin(), rows).direction;
-    const int next = (rank + direction + ranks) % ranks, previous = (rank - direction + ranks) % ranks;
-    const auto type = parallel::mpi_type<Real>();
-    parallel::check(MPI_Sendrecv(send_.data(), static_cast<int>(total), type, next, 0, receive_.data(),
-                                 static_cast<int>(total), type, previous, 0, line.get(), MPI_STATUS_IGNORE),
-                    "MPI_Sendrecv");
-    arrived = receive_.data();
-  }
+  const int direction = shift_to(side, **fields.begin(), rows).direction;
+  const int next = (rank + direction + ranks) % ranks, previous = (rank - direction + ranks) % ranks;
+  const auto type = parallel::mpi_type<Real>();
+  parallel::check(MPI_Sendrecv(send_.data(), static_cast<int>(total), type, next, 0, receive_.data(),
+                               static_cast<int>(total), type, previous, 0, line.get(), MPI_STATUS_IGNORE),
+                  "MPI_Sendrecv");
   n = 0;
-  for (Field* f : fields) n += copy_box<false>(*f, shift_to(side, *f, rows).to, arrived + n);
+  for (Field* f : fields) n += copy_box<false>(*f, shift_to(side, *f, rows).to, receive_.data() + n);
 }
 
 void Halo::fill(std::initializer_list<Field*> fields, RowSpan rows) {

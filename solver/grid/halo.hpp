@@ -7,8 +7,10 @@
 #include "solver/grid/field.hpp"
 #include "solver/parallel/decomposition.hpp"
 
-/// Ghost layers in the periodic directions x and z, filled from the neighbouring ranks (or from the rank
-/// itself). Rows beyond the walls are not touched here: they follow from boundary conditions, row by row.
+/// Ghost layers in x and z, filled from the neighbouring ranks (or from the rank itself). Both directions are
+/// periodic, unless there are walls in x: beyond them the column at the wall is repeated, which is the
+/// boundary condition of all but the velocity. Rows beyond the walls in y are not touched here: they follow
+/// from boundary conditions, row by row.
 namespace softwall::grid {
 
 /// Rows to exchange: j0 <= j < j1, ghost rows included where wanted.
@@ -21,7 +23,7 @@ enum class Side { kLowX, kHighX, kLowZ, kHighZ };
 
 class Halo {
  public:
-  explicit Halo(const parallel::Decomposition& decomposition);
+  explicit Halo(const parallel::Decomposition& decomposition, bool walls_in_x = false);
 
   /// Fills all ghost layers of the fields in x, then in z (so that corners are right), in the given rows.
   void fill(std::initializer_list<Field*> fields, RowSpan rows);
@@ -32,7 +34,12 @@ class Halo {
   void fill_side(Side side, std::initializer_list<Field*> fields, RowSpan rows);
 
  private:
+  void exchange(Side side, std::initializer_list<Field*> fields, RowSpan rows);
+  [[nodiscard]] bool at_wall(Side side) const;
+  [[nodiscard]] const parallel::Communicator& line_of(Side side) const;
+
   const parallel::Decomposition& decomposition_;
+  const bool walls_in_x_;
   std::vector<Real> send_, receive_;
 };
 

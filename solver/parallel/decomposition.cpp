@@ -18,7 +18,9 @@ std::vector<Range> shares(int n, int parts) {
 }
 
 std::vector<Layout> possible_layouts(int ranks, int nx, int nz) {
-  const auto wide_enough = [](int n, int parts) { return n / parts >= Decomposition::kMinimumWidth; };
+  const auto wide_enough = [](int n, int parts) {
+    return parts == 1 || n / parts >= Decomposition::kMinimumWidth;
+  };
   std::vector<Layout> possible;
   for (int px = 1; px <= ranks; ++px) {
     const int pz = ranks / px;
@@ -35,7 +37,7 @@ Decomposition::Decomposition(MPI_Comm comm, int nx, int nz, std::optional<Layout
   if (possible.empty()) {
     throw std::invalid_argument(grid + " cannot be shared among " + std::to_string(ranks) +
                                 " ranks: each needs at least " + std::to_string(kMinimumWidth) +
-                                " columns in x and in z");
+                                " columns in every direction that is shared");
   }
   layout_ = layout.value_or(possible.front());
   if (std::find(possible.begin(), possible.end(), layout_) == possible.end()) {

@@ -39,7 +39,8 @@ struct Layout {
 
 class Decomposition {
  public:
-  /// The narrowest part a rank may hold: WENO reads three neighbours on either side.
+  /// The narrowest part of a direction that is shared: WENO reads three neighbours on either side. (A
+  /// direction that is whole on every rank may be narrower, down to one column: it is its own neighbour.)
   static constexpr int kMinimumWidth = 3;
 
   /// Shares nx x nz columns among the ranks of `comm`, by the first possible layout unless one is given.
