@@ -43,7 +43,7 @@ double StepLimits::smallest() const { return std::min({advection, viscosity, ela
 
 StepLimits step_limits(const Physics& physics) {
   const GridSpec& grid = physics.grid;
-  const auto faces = wall_normal_faces(grid, physics.layer_height);
+  const auto faces = wall_normal_faces(physics);
   const Spacing d{physics.length_x / grid.nx, smallest_difference(faces, 0), physics.length_z / grid.nz};
   const double safety = physics.time_step.safety;
   const double viscosity_ratio = physics.solid ? std::max(1.0, physics.solid->viscosity_ratio) : 1.0;
@@ -60,7 +60,7 @@ StepLimits step_limits(const Physics& physics) {
 }
 
 double default_ns_per_cell_step(const Physics& physics) {
-  const double in_double = physics.flow == FlowType::kElasticWall ? 600.0 : 250.0;
+  const double in_double = physics.flow == FlowType::kRigidChannel ? 250.0 : 600.0;
   return physics.precision == Precision::kSingle ? in_double / 2 : in_double;
 }
 

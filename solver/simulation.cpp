@@ -17,6 +17,7 @@
 #include "solver/pressure/projection.hpp"
 #include "solver/statistics/solid_health.hpp"
 #include "solver/stop_request.hpp"
+#include "solver/time/closed_box.hpp"
 #include "solver/time/initial.hpp"
 
 namespace softwall {
@@ -54,6 +55,9 @@ void Simulation::start_or_resume() {
     const auto file = (options_.files.directory / case_.run.initial_checkpoint).lexically_normal();
     state_ = output::start_from_precursor(file, initial, setup_);
     say("starts from the precursor's " + file.string());
+  } else if (is_closed_box(case_.physics.flow)) {
+    state_ = time::closed_box_at_start(setup_);
+    say(setup_.velocity_prescribed ? "starts in rotation" : "starts from rest");
   } else {
     state_ = time::perturbed_laminar(setup_);
     say("starts from a perturbed laminar flow");

@@ -59,11 +59,11 @@ std::string gigabytes(double bytes) {
   return text.data();
 }
 
-/// Velocity and pressure; in a layer also phi and the six components of B.
+/// Velocity and pressure; with a solid also phi and the six components of B.
 double checkpoint_bytes(const Physics& physics) {
   const double cells = static_cast<double>(physics.grid.nx) * physics.grid.ny() * physics.grid.nz;
   const std::size_t bytes = physics.precision == Precision::kSingle ? sizeof(float) : sizeof(double);
-  return cells * static_cast<double>(bytes) * (physics.flow == FlowType::kElasticWall ? 11 : 4);
+  return cells * static_cast<double>(bytes) * (physics.solid ? 11 : 4);
 }
 
 }  // namespace

@@ -12,31 +12,48 @@
 /// U_b, density rho.
 namespace softwall {
 
-enum class FlowType { kRigidChannel, kElasticWall };
+enum class FlowType { kRigidChannel, kElasticWall, kCavity, kRotation };
+
+/// Between walls at both ends of x and y, driven by one of them or not at all; otherwise a channel.
+[[nodiscard]] constexpr bool is_closed_box(FlowType flow) {
+  return flow == FlowType::kCavity || flow == FlowType::kRotation;
+}
+
 enum class InitialType { kPerturbedLaminar, kPrecursor };
 enum class WenoWeights { kJiangShu, kZ };
 enum class Precision { kDouble, kSingle };
+enum class Extension { kColumn, kNormal };
+enum class ViscousTerms { kExplicit, kImplicit };
 
 struct GridSpec {
   int nx = 0;
-  int ny_fluid = 0;  ///< cells in 0 < y < 2
+  int ny_fluid = 0;  ///< cells in 0 < y < 2, or in the height of a closed box
   int ny_solid = 0;  ///< cells in 2 < y < 2 + layer_height; 0 for a rigid channel
   int nz = 0;
   double stretching = 0.0;  ///< 0: uniform; s > 0: y = 1 + tanh(s (2 xi - 1)) / tanh(s) in the fluid
   [[nodiscard]] int ny() const { return ny_fluid + ny_solid; }
 };
 
+/// A disc, perhaps slotted from below.
+struct DiscSpec {
+  double x = 0.0, y = 0.0, radius = 0.0;
+  double slot_width = 0.0, slot_depth = 0.0;
+};
+
 struct SolidSpec {
   double G = 0.0;                ///< modulus of transverse elasticity / (rho U_b^2)
   double viscosity_ratio = 1.0;  ///< mu_s / mu_f
   WenoWeights weno = WenoWeights::kJiangShu;
-  double threshold = 0.0;       ///< cells with phi below it take B from the solid above them
+  double threshold = 0.0;       ///< cells with phi below it take B from the solid, as `extension` says
   double min_eigenvalue = 0.0;  ///< B is kept >= this in every cell
+  Extension extension = Extension::kColumn;
+  std::optional<DiscSpec> disc;  ///< initial shape in a closed box; absent: the layer on y > 2
 };
 
 struct TimeStepSpec {
   std::optional<double> fixed_dt;  ///< when absent: adaptive
   double safety = 0.0;             ///< fraction of the stability limits
+  ViscousTerms viscosity = ViscousTerms::kExplicit;
 };
 
 struct InitialSpec {
@@ -58,9 +75,10 @@ struct Physics {
   FlowType flow = FlowType::kRigidChannel;
   double reynolds = 0.0;
   double length_x = 0.0, length_z = 0.0, layer_height = 0.0;
+  double height = 2.0;  ///< of a closed box; a channel's fluid is 2 high
   GridSpec grid;
   Precision precision = Precision::kDouble;  ///< of the fields
-  std::optional<SolidSpec> solid;            ///< present exactly when flow is elastic_wall
+  std::optional<SolidSpec> solid;            ///< present with an elastic wall or a disc
   TimeStepSpec time_step;
   InitialSpec initial;
   StatisticsSpec statistics;

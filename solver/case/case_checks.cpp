@@ -60,7 +60,18 @@ void check_layer_cells(const SoundMembers& members, std::vector<Mistake>& mistak
     mistakes.push_back({"/physics/grid/ny_solid", std::to_string(*ny_solid), std::move(problem)});
 }
 
+/// What only a closed box has.
+void check_channel(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
+  if (const auto height = members.get<double>("/physics/domain/height"); height && *height != 2.0)
+    mistakes.push_back({"/physics/domain/height", std::to_string(*height), "must be 2 in a channel"});
+  if (members.get<std::string>("/physics/time_step/viscosity") == "implicit")
+    mistakes.push_back({"/physics/time_step/viscosity", "implicit", "must be \"explicit\" in a channel"});
+  if (filled.contains(json::json_pointer("/physics/solid/disc")))
+    mistakes.push_back({"/physics/solid/disc", "given", "only a closed box holds one: leave it out"});
+}
+
 void check_elastic(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
+  check_channel(members, filled, mistakes);
   if (!filled.contains(json::json_pointer("/physics/solid")))
     mistakes.push_back(
         {"/physics/solid", "missing", "flow \"elastic_wall\" needs an object with at least G"});
@@ -68,12 +79,47 @@ void check_elastic(const SoundMembers& members, const json& filled, std::vector<
 }
 
 void check_rigid(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
+  check_channel(members, filled, mistakes);
   if (filled.contains(json::json_pointer("/physics/solid")))
     mistakes.push_back({"/physics/solid", "given", "flow \"rigid_channel\" has none: leave it out"});
   const auto ny_solid = members.get<int>("/physics/grid/ny_solid");
   if (ny_solid.value_or(0) != 0)
     mistakes.push_back(
         {"/physics/grid/ny_solid", std::to_string(*ny_solid), "must be 0 for flow \"rigid_channel\""});
+}
+
+/// The disc lies inside the box, a cell away from every wall, and B can come from it.
+void check_disc(const SoundMembers& members, std::vector<Mistake>& mistakes) {
+  const auto get = [&](const char* name) { return members.get<double>(std::string("/physics/") + name); };
+  const auto x = get("solid/disc/x"), y = get("solid/disc/y"), radius = get("solid/disc/radius"),
+             width = get("domain/length_x"), height = get("domain/height"), nx = get("grid/nx"),
+             ny = get("grid/ny_fluid");
+  if (x && y && radius && width && height && nx && ny) {
+    const double side = *radius + *width / *nx, above = *radius + *height / *ny;
+    if (*x < side || *x > *width - side || *y < above || *y > *height - above)
+      mistakes.push_back({"/physics/solid/disc", "touches a wall", "must stay a cell away from every wall"});
+  }
+  if (members.get<std::string>("/physics/solid/extension") == "column")
+    mistakes.push_back({"/physics/solid/extension", "column", "must be \"normal\" with a disc"});
+}
+
+void check_closed_box(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
+  const auto flow = members.get<std::string>("/physics/flow");
+  const bool has_disc = filled.contains(json::json_pointer("/physics/solid/disc"));
+  if (has_disc) check_disc(members, mistakes);
+  if (!has_disc && (flow == "rotation" || filled.contains(json::json_pointer("/physics/solid"))))
+    mistakes.push_back({"/physics/solid/disc", "missing", "the solid of a closed box is a disc"});
+  if (const auto ny = members.get<int>("/physics/grid/ny_solid"); ny.value_or(0) != 0)
+    mistakes.push_back({"/physics/grid/ny_solid", std::to_string(*ny), "must be 0 in a closed box"});
+  if (const auto nz = members.get<int>("/physics/grid/nz"); nz.value_or(1) != 1)
+    mistakes.push_back({"/physics/grid/nz", std::to_string(*nz), "must be 1 in a closed box: it is flat"});
+  if (const auto s = members.get<double>("/physics/grid/stretching"); s.value_or(0) != 0)
+    mistakes.push_back({"/physics/grid/stretching", std::to_string(*s), "must be 0 in a closed box"});
+  const auto ratio = members.get<double>("/physics/solid/viscosity_ratio");
+  if (ratio.value_or(1) != 1 && members.get<std::string>("/physics/time_step/viscosity") == "implicit")
+    mistakes.push_back({"/physics/time_step/viscosity", "implicit", "needs viscosity_ratio 1"});
+  if (members.get<std::string>("/physics/initial/type") == "precursor")
+    mistakes.push_back({"/physics/initial/type", "precursor", "a closed box starts by itself"});
 }
 
 void check_initial(const SoundMembers& members, std::vector<Mistake>& mistakes) {
@@ -93,6 +139,7 @@ std::vector<Mistake> case_cross_checks(const json& filled, const std::vector<Mis
   const auto flow = members.get<std::string>("/physics/flow");
   if (flow == "elastic_wall") check_elastic(members, filled, mistakes);
   if (flow == "rigid_channel") check_rigid(members, filled, mistakes);
+  if (flow == "cavity" || flow == "rotation") check_closed_box(members, filled, mistakes);
   check_initial(members, mistakes);
   return mistakes;
 }

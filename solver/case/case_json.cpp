@@ -1,6 +1,7 @@
 #include "solver/case/case_json.hpp"
 
-#include <array>
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -12,39 +13,60 @@ namespace {
 
 using nlohmann::json;
 
-template <typename Enum>
-using Names = std::array<std::pair<Enum, const char*>, 2>;
+template <typename Enum, std::size_t kCount>
+using Names = std::pair<Enum, const char*>[kCount];
 
-constexpr Names<FlowType> kFlowNames{
-    {{FlowType::kRigidChannel, "rigid_channel"}, {FlowType::kElasticWall, "elastic_wall"}}};
-constexpr Names<InitialType> kInitialNames{
-    {{InitialType::kPerturbedLaminar, "perturbed_laminar"}, {InitialType::kPrecursor, "precursor"}}};
-constexpr Names<WenoWeights> kWenoNames{{{WenoWeights::kJiangShu, "js"}, {WenoWeights::kZ, "z"}}};
-constexpr Names<Precision> kPrecisionNames{{{Precision::kDouble, "double"}, {Precision::kSingle, "single"}}};
+constexpr std::pair<FlowType, const char*> kFlowNames[] = {{FlowType::kRigidChannel, "rigid_channel"},
+                                                           {FlowType::kElasticWall, "elastic_wall"},
+                                                           {FlowType::kCavity, "cavity"},
+                                                           {FlowType::kRotation, "rotation"}};
+constexpr std::pair<InitialType, const char*> kInitialNames[] = {
+    {InitialType::kPerturbedLaminar, "perturbed_laminar"}, {InitialType::kPrecursor, "precursor"}};
+constexpr std::pair<WenoWeights, const char*> kWenoNames[] = {{WenoWeights::kJiangShu, "js"},
+                                                              {WenoWeights::kZ, "z"}};
+constexpr std::pair<Extension, const char*> kExtensionNames[] = {{Extension::kColumn, "column"},
+                                                                 {Extension::kNormal, "normal"}};
+constexpr std::pair<ViscousTerms, const char*> kViscousNames[] = {{ViscousTerms::kExplicit, "explicit"},
+                                                                  {ViscousTerms::kImplicit, "implicit"}};
 
-template <typename Enum>
-std::string name_of(Enum value, const Names<Enum>& names) {
-  return names[0].first == value ? names[0].second : names[1].second;
+template <typename Enum, std::size_t kCount>
+std::string name_of(Enum value, const Names<Enum, kCount>& names) {
+  return std::find_if(std::begin(names), std::end(names), [&](const auto& one) { return one.first == value; })
+      ->second;
 }
 
-template <typename Enum>
-Enum named(const json& name, const Names<Enum>& names) {
-  return name == names[0].second ? names[0].first : names[1].first;
+/// The schema has found that the name is one of these.
+template <typename Enum, std::size_t kCount>
+Enum named(const json& name, const Names<Enum, kCount>& names) {
+  return std::find_if(std::begin(names), std::end(names), [&](const auto& one) { return name == one.second; })
+      ->first;
 }
 
 GridSpec grid_from(const json& grid) {
   return {grid.at("nx"), grid.at("ny_fluid"), grid.at("ny_solid"), grid.at("nz"), grid.at("stretching")};
 }
 
+DiscSpec disc_from(const json& disc) {
+  return {disc.at("x"), disc.at("y"), disc.at("radius"), disc.at("slot_width"), disc.at("slot_depth")};
+}
+
 SolidSpec solid_from(const json& solid) {
-  return {solid.at("G"), solid.at("viscosity_ratio"), named(solid.at("weno"), kWenoNames),
-          solid.at("threshold"), solid.at("min_eigenvalue")};
+  SolidSpec spec{.G = solid.at("G"),
+                 .viscosity_ratio = solid.at("viscosity_ratio"),
+                 .weno = named(solid.at("weno"), kWenoNames),
+                 .threshold = solid.at("threshold"),
+                 .min_eigenvalue = solid.at("min_eigenvalue"),
+                 .extension = named(solid.at("extension"), kExtensionNames),
+                 .disc = std::nullopt};
+  if (solid.contains("disc")) spec.disc = disc_from(solid.at("disc"));
+  return spec;
 }
 
 TimeStepSpec time_step_from(const json& time_step) {
   TimeStepSpec spec;
   if (time_step.contains("fixed_dt")) spec.fixed_dt = time_step.at("fixed_dt").get<double>();
   spec.safety = time_step.at("safety");
+  spec.viscosity = named(time_step.at("viscosity"), kViscousNames);
   return spec;
 }
 
@@ -65,6 +87,7 @@ Physics physics_from(const json& physics) {
   result.length_x = domain.at("length_x");
   result.length_z = domain.at("length_z");
   result.layer_height = domain.at("layer_height");
+  result.height = domain.at("height");
   result.grid = grid_from(physics.at("grid"));
   result.precision = named(physics.at("precision"), kPrecisionNames);
   if (physics.contains("solid")) result.solid = solid_from(physics.at("solid"));
@@ -93,16 +116,27 @@ json to_json(const GridSpec& grid) {
           {"stretching", grid.stretching}};
 }
 
+json to_json(const DiscSpec& disc) {
+  return {{"x", disc.x},
+          {"y", disc.y},
+          {"radius", disc.radius},
+          {"slot_width", disc.slot_width},
+          {"slot_depth", disc.slot_depth}};
+}
+
 json to_json(const SolidSpec& solid) {
-  return {{"G", solid.G},
-          {"viscosity_ratio", solid.viscosity_ratio},
-          {"weno", name_of(solid.weno, kWenoNames)},
-          {"threshold", solid.threshold},
-          {"min_eigenvalue", solid.min_eigenvalue}};
+  json result = {{"G", solid.G},
+                 {"viscosity_ratio", solid.viscosity_ratio},
+                 {"weno", name_of(solid.weno, kWenoNames)},
+                 {"threshold", solid.threshold},
+                 {"min_eigenvalue", solid.min_eigenvalue},
+                 {"extension", name_of(solid.extension, kExtensionNames)}};
+  if (solid.disc) result["disc"] = to_json(*solid.disc);
+  return result;
 }
 
 json to_json(const TimeStepSpec& time_step) {
-  json result = {{"safety", time_step.safety}};
+  json result = {{"safety", time_step.safety}, {"viscosity", name_of(time_step.viscosity, kViscousNames)}};
   if (time_step.fixed_dt) result["fixed_dt"] = *time_step.fixed_dt;
   return result;
 }
@@ -127,7 +161,8 @@ json to_json(const Physics& physics) {
                  {"domain",
                   {{"length_x", physics.length_x},
                    {"length_z", physics.length_z},
-                   {"layer_height", physics.layer_height}}},
+                   {"layer_height", physics.layer_height},
+                   {"height", physics.height}}},
                  {"grid", to_json(physics.grid)},
                  {"precision", name_of(physics.precision)},
                  {"time_step", to_json(physics.time_step)},

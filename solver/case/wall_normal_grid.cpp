@@ -105,6 +105,14 @@ std::vector<double> wall_normal_faces(const GridSpec& grid, double layer_height)
   return faces;
 }
 
+std::vector<double> wall_normal_faces(const Physics& physics) {
+  const GridSpec& grid = physics.grid;
+  if (!is_closed_box(physics.flow)) return wall_normal_faces(grid, physics.layer_height);
+  std::vector<double> faces;
+  for (int j = 0; j <= grid.ny(); ++j) faces.push_back(physics.height * j / grid.ny());
+  return faces;
+}
+
 std::string interface_spacing_problem(const GridSpec& grid, double layer_height) {
   return grid.stretching == 0.0 ? uniform_problem(grid, layer_height) : stretched_problem(grid, layer_height);
 }

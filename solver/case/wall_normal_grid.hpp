@@ -23,6 +23,9 @@ inline constexpr double kLeastSpacingRatio = 0.25;
 /// exact.
 [[nodiscard]] std::vector<double> wall_normal_faces(const GridSpec& grid, double layer_height);
 
+/// The same of any case: of a channel as above, of a closed box uniform from 0 to its height.
+[[nodiscard]] std::vector<double> wall_normal_faces(const Physics& physics);
+
 /// The growth r > 0 for which `cells` spacings, the first r * last_fluid_spacing, sum to layer_height.
 [[nodiscard]] double layer_growth(double last_fluid_spacing, double layer_height, int cells);
 

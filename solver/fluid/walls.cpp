@@ -32,13 +32,50 @@ void close(Field& f) {
   });
 }
 
+/// All rows and planes beside the walls in x, ghost cells included.
+Box wall_in_x(const Field& f) {
+  return {0, 1, -f.ghost(), f.ny() + f.ghost(), -f.ghost(), f.nz() + f.ghost()};
+}
+
+void close_x(Field& f, const Walls& walls) {
+  const auto u = f.view();
+  const int nx = f.nx();
+  grid::for_each_cell(wall_in_x(f), [=](int, int j, int k) {
+    if (walls.low_x) {
+      u(0, j, k) = 0;
+      u(-1, j, k) = -u(1, j, k);
+    }
+    if (walls.high_x) u(nx, j, k) = 0;
+  });
+}
+
+void mirror_x(Field& f, const Walls& walls) {
+  const auto q = f.view();
+  const int nx = f.nx();
+  grid::for_each_cell(wall_in_x(f), [=](int, int j, int k) {
+    if (walls.low_x) q(-1, j, k) = -q(0, j, k);
+    if (walls.high_x) q(nx, j, k) = -q(nx - 1, j, k);
+  });
+}
+
 }  // namespace
+
+Walls walls_of(const grid::Grid& g) {
+  Walls walls;
+  walls.low_x = g.walls_in_x && g.x_begin == 0;
+  walls.high_x = g.walls_in_x && g.x_begin + g.nx == g.nx_global;
+  return walls;
+}
 
 void fill_ghosts(grid::VectorField& velocity, const Walls& walls, grid::Halo& halo) {
   mirror(velocity.x, walls.bottom_u, walls.top_u);
   close(velocity.y);
   mirror(velocity.z, 0, 0);
   halo.fill({&velocity.x, &velocity.y, &velocity.z});
+  if (!walls.low_x && !walls.high_x) return;
+  close_x(velocity.x, walls);
+  mirror_x(velocity.y, walls);
+  mirror_x(velocity.z, walls);
 }
 
 void fill_ghosts(grid::Field& center, grid::Halo& halo) {

@@ -51,8 +51,9 @@ Grid make_grid(int nx, int nz, double length_x, double length_z, const std::vect
 
 Grid make_grid(const Physics& physics, const parallel::Decomposition& decomposition) {
   Grid g = make_grid(physics.grid.nx, physics.grid.nz, physics.length_x, physics.length_z,
-                     wall_normal_faces(physics.grid, physics.layer_height), decomposition);
+                     wall_normal_faces(physics), decomposition);
   g.ny_fluid = physics.grid.ny_fluid;
+  g.walls_in_x = is_closed_box(physics.flow);
   return g;
 }
 

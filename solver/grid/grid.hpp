@@ -57,7 +57,8 @@ struct Grid {
   int ny_fluid = 0;              ///< rows below the undeformed interface
   double length_x = 0, length_z = 0, height = 0;
   double dx = 0, dz = 0;
-  RowArray y_face;  ///< j = 0 .. ny
+  bool walls_in_x = false;  ///< at x = 0 and length_x, where u(0, j, k) and u(nx, j, k) lie; else periodic
+  RowArray y_face;          ///< j = 0 .. ny
   RowArray y_center;
   RowArray dy;       ///< cell height
   RowArray dy_face;  ///< y_center[j] - y_center[j-1], the height between centers across face j

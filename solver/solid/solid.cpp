@@ -9,6 +9,7 @@
 #include "solver/grid/cell_loop.hpp"
 #include "solver/parallel/reduce.hpp"
 #include "solver/solid/elastic_force.hpp"
+#include "solver/solid/limiter.hpp"
 #include "solver/solid/skin.hpp"
 #include "solver/solid/stretching.hpp"
 
@@ -55,7 +56,9 @@ Solid::Solid(const SolidSpec& spec, const Grid& grid, const parallel::Decomposit
       before_{grid::Field(grid, 0), grid::TensorField(grid, 1)},
       edges_(grid),
       force_before_(grid, 0),
-      force_sum_(grid, 0) {}
+      force_sum_(grid, 0) {
+  if (spec.extension == Extension::kNormal) normal_.emplace(grid, decomposition, halo);
+}
 
 void Solid::start(Material& material) {
   first_row_ = find_first_row(material);
@@ -70,6 +73,7 @@ void Solid::renew_band(Material& material) {
 }
 
 int Solid::find_first_row(const Material& material) const {
+  if (normal_) return 0;  // a body that moves about leaves dust anywhere
   const auto phi = material.phi.view();
   int lowest = 0;
   const auto holds_solid = [&](int j) {
@@ -143,6 +147,7 @@ void Solid::update(Material& m, const Stage& stage, double dt) {
 /// After phi and B have changed: ghost cells, skin, positive definiteness; each needs the one before it. Done
 /// again, it changes no bit: a restart does.
 void Solid::make_consistent(Material& m) {
+  if (normal_) return surround(m);
   const grid::RowSpan span{std::max(-Material::kGhost, first_row_ - Material::kGhost),
                            grid_.ny + Material::kGhost};
   const auto band = grid::rows(grid_, first_row_, grid_.ny);
@@ -154,6 +159,24 @@ void Solid::make_consistent(Material& m) {
   limited_cells_ += extend_normal(m, Real(spec_.threshold), spec_.min_eigenvalue, grid_, band);
   fill_beyond_walls(m);
   halo_.fill({&m.B.xx, &m.B.yy, &m.B.zz}, span);
+}
+
+/// The same for a body of any shape: B is made positive definite in the solid before its surroundings take
+/// it, and then there (means of positive definite tensors are, but shear and normal components live in
+/// different places).
+void Solid::surround(Material& m) {
+  const auto all = grid::all_cells(grid_);
+  fill_beyond_walls(m);
+  halo_.fill({&m.phi, &m.B.xy, &m.B.xz, &m.B.yz});
+  normal_->extend_shear(m, spec_.threshold);
+  fill_beyond_walls(m);
+  halo_.fill({&m.B.xy, &m.B.xz, &m.B.yz});
+  limited_cells_ += keep_positive_definite(m.B, spec_.min_eigenvalue, all);
+  halo_.fill({&m.B.xx, &m.B.yy, &m.B.zz});
+  normal_->extend_normal(m, spec_.threshold);
+  limited_cells_ += keep_positive_definite(m.B, spec_.min_eigenvalue, all);
+  fill_beyond_walls(m);
+  halo_.fill({&m.B.xx, &m.B.yy, &m.B.zz});
 }
 
 /// Rows beyond a wall repeat the row at the wall; the velocity vanishes there, so little depends on them.

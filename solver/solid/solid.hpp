@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 
 #include "solver/case/case.hpp"
 #include "solver/grid/halo.hpp"
@@ -9,6 +10,7 @@
 #include "solver/grid/stage.hpp"
 #include "solver/solid/advection.hpp"
 #include "solver/solid/material.hpp"
+#include "solver/solid/normal_extension.hpp"
 #include "solver/solid/solid_edges.hpp"
 
 /// The border between the solid and the rest of the solver: velocity and stage in, solid fraction and elastic
@@ -52,6 +54,7 @@ class Solid {
   void find_rates(const Material& material, const grid::VectorField& velocity);
   void update(Material& material, const Stage& stage, double dt);
   void make_consistent(Material& material);
+  void surround(Material& material);
   void fill_beyond_walls(Material& material) const;
   void renew_force(const Material& material);
   [[nodiscard]] int find_first_row(const Material& material) const;
@@ -63,6 +66,7 @@ class Solid {
   Advection advection_;
   Rates now_, before_;
   SolidEdges edges_;
+  std::optional<NormalExtension> normal_;  ///< present when the case asks for it
   grid::VectorField force_before_, force_sum_;
   int first_row_ = 0;
   std::int64_t limited_cells_ = 0;

@@ -19,18 +19,48 @@ void start(State& s, Setup& setup) {
   if (setup.solid) setup.solid->start(s.material);
 }
 
-// Equation numbers refer to solver/README.md.
-void advance(State& s, Setup& setup, double dt) {
+namespace {
+
+/// The substeps of a closed box: no driving; a prescribed velocity only carries the solid.
+void advance_closed_box(State& s, Setup& setup, double dt) {
+  auto& viscosity = setup.implicit_viscosity;
+  for (const Stage& stage : kRungeKutta3) {
+    if (setup.solid) setup.solid->transport(s.material, s.velocity, stage, dt);
+    if (setup.velocity_prescribed) continue;
+    if (viscosity) viscosity->keep(s.velocity, stage, dt);
+    setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);
+    if (viscosity) viscosity->apply(s.velocity, stage, dt);
+    fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
+    setup.box_projection->project(s.velocity, s.pressure, stage, dt);
+    fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
+    fluid::fill_ghosts(s.pressure, setup.halo);
+  }
+}
+
+/// The substeps of a channel; returns the sum of what drives it. Equation numbers refer to solver/README.md.
+double advance_channel(State& s, Setup& setup, double dt) {
   double driven = 0;
   for (const Stage& stage : kRungeKutta3) {
     if (setup.solid) setup.solid->transport(s.material, s.velocity, stage, dt);         // phi, B     (6)-(7)
     setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);  // u*         (8)
-    setup.projection.project(s.velocity, s.pressure, stage, dt);  // u, p       (9)-(11)
-    if (setup.bulk_velocity) {                                    // flow rate  (12)
+    setup.projection->project(s.velocity, s.pressure, stage, dt);                       // u, p       (9)-(11)
+    if (setup.bulk_velocity) {                                                          // flow rate  (12)
       driven += fluid::hold_flow_rate(s.velocity, solid_input(s, setup), *setup.bulk_velocity, setup.grid,
                                       setup.decomposition);
     }
     fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
+  }
+  return driven;
+}
+
+}  // namespace
+
+void advance(State& s, Setup& setup, double dt) {
+  double driven = 0;
+  if (is_closed_box(setup.physics.flow)) {
+    advance_closed_box(s, setup, dt);
+  } else {
+    driven = advance_channel(s, setup, dt);
   }
   if (setup.solid) setup.solid->renew_band(s.material);
   s.driving_gradient = driven / dt;
@@ -45,8 +75,11 @@ TimeStep choose_time_step(const State& s, const Setup& setup) {
   const auto restrict_to = [&](double limit, const char* name) {
     if (limit < step.dt) step = {limit, name};
   };
-  restrict_to(fluid::viscosity_limit(setup.viscosity, solid_input(s, setup), setup.grid), "viscosity");
-  if (setup.solid) restrict_to(setup.solid->elastic_limit(s.material), "elastic");
+  if (!setup.velocity_prescribed) {
+    if (!setup.implicit_viscosity)
+      restrict_to(fluid::viscosity_limit(setup.viscosity, solid_input(s, setup), setup.grid), "viscosity");
+    if (setup.solid) restrict_to(setup.solid->elastic_limit(s.material), "elastic");
+  }
   step.dt *= spec.safety;
   return step;
 }

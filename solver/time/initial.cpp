@@ -67,7 +67,7 @@ State perturbed_laminar(Setup& setup) {
 void make_solenoidal(State& s, Setup& setup) {
   fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
   grid::Field unused(setup.grid, 1);
-  setup.projection.project(s.velocity, unused, kRungeKutta3[0], 1.0);
+  setup.projection->project(s.velocity, unused, kRungeKutta3[0], 1.0);
   start(s, setup);
   if (!setup.bulk_velocity) return;
   const auto solid = setup.solid ? setup.solid->input(s.material) : SolidInput{};

@@ -3,9 +3,11 @@
 #include <optional>
 
 #include "solver/case/case.hpp"
+#include "solver/fluid/implicit_viscosity.hpp"
 #include "solver/fluid/predictor.hpp"
 #include "solver/fluid/walls.hpp"
 #include "solver/grid/halo.hpp"
+#include "solver/pressure/box_projection.hpp"
 #include "solver/pressure/projection.hpp"
 #include "solver/solid/solid.hpp"
 #include "solver/time/state.hpp"
@@ -26,10 +28,13 @@ class Setup {
   const grid::Grid grid;
   const double viscosity;  ///< 1 / Re
   fluid::Walls walls;
-  std::optional<double> bulk_velocity = 1.0;  ///< held by the driving gradient; empty: no driving
+  std::optional<double> bulk_velocity;  ///< held by the driving gradient; empty: no driving
+  const bool velocity_prescribed;       ///< the velocity stays as it is and carries the solid
   grid::Halo halo;
   fluid::Predictor predictor;
-  pressure::Projection projection;
+  std::optional<pressure::Projection> projection;         ///< of a channel
+  std::optional<pressure::BoxProjection> box_projection;  ///< of a closed box
+  std::optional<fluid::ImplicitViscosity> implicit_viscosity;
   std::optional<solid::Solid> solid;
 };
 

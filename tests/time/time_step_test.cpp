@@ -84,7 +84,7 @@ TEST(TimeStep, LimitsAreStableInDeed) {
                           [](int i, int j, int k) { return 1e-3 * support::noise(2, i, j, k); });
     fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
     grid::Field unused(g, 1);
-    setup.projection.project(s.velocity, unused, kRungeKutta3[0], 1.0);
+    setup.projection->project(s.velocity, unused, kRungeKutta3[0], 1.0);
     start(s, setup);
     for (int step = 0; step < 250; ++step) advance(s, setup, choose_time_step(s, setup).dt);
     EXPECT_LT(support::largest(support::all_velocity(s, setup)), 2e-3) << "Re = " << reynolds;
