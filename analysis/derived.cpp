@@ -176,11 +176,20 @@ void refuse(const BlockStatistics& s, const std::vector<double>& weights) {
   }
 }
 
+/// A closed box leaves series only.
+DerivedQuantities not_a_channel(const BlockStatistics& s, const std::vector<double>& weights) {
+  DerivedQuantities derived;
+  describe_window(s, weights, derived);
+  derived.note = "not a channel: its series are in statistics.h5";
+  return derived;
+}
+
 }  // namespace
 
 DerivedQuantities derive(const BlockStatistics& s, const DeriveOptions& options) {
   const std::vector<double> weights = window_weights(s, options);
   refuse(s, weights);
+  if (s.profiles.empty()) return not_a_channel(s, weights);
   const Estimate whole = estimate(s, weights, options.log_law);
   const std::vector<Interval> intervals = jackknife(weights, [&](const std::vector<double>& kept) {
     const auto values = estimate(s, kept, options.log_law).values;

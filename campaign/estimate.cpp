@@ -49,7 +49,8 @@ StepLimits step_limits(const Physics& physics) {
   const double viscosity_ratio = physics.solid ? std::max(1.0, physics.solid->viscosity_ratio) : 1.0;
   StepLimits limits;
   limits.advection = safety * kAdvectionLimit / (kU / d.x + kV / d.y + kW / d.z);
-  limits.viscosity = safety * diffusion_limit(d, viscosity_ratio / physics.reynolds);
+  const bool implicit = physics.time_step.viscosity == ViscousTerms::kImplicit;
+  limits.viscosity = implicit ? kInfinite : safety * diffusion_limit(d, viscosity_ratio / physics.reynolds);
   limits.elastic = kInfinite;
   if (physics.solid) {
     const double layer = smallest_difference(faces, static_cast<std::size_t>(grid.ny_fluid));

@@ -42,6 +42,20 @@ void require_precision(const Case& c) {
                                                    solver_program(folder_of_this_program(), wanted).string());
 }
 
+const char* words_for(FlowType flow) {
+  switch (flow) {
+    case FlowType::kRigidChannel:
+      return "rigid channel";
+    case FlowType::kElasticWall:
+      return "elastic wall";
+    case FlowType::kCavity:
+      return "cavity";
+    case FlowType::kRotation:
+      return "rotation";
+  }
+  return "";
+}
+
 std::string introduction(const Case& c, const RunOptions& options, int ranks) {
   const BuildInfo build = build_info();
   const auto& p = c.physics;
@@ -49,7 +63,7 @@ std::string introduction(const Case& c, const RunOptions& options, int ranks) {
   text << "softwall-dns " << build.version << " (" << build.git_revision << ", " << build.build_type << ", "
        << build.compiler << "), " << ranks << (ranks == 1 ? " rank on " : " ranks on ") << host_name() << "\n"
        << "case " << c.id << " \"" << printable(c.label) << "\", attempt " << options.attempt << ": "
-       << (p.solid ? "elastic wall" : "rigid channel") << ", Re " << p.reynolds;
+       << words_for(p.flow) << ", Re " << p.reynolds;
   if (p.solid) text << ", G " << p.solid->G << ", viscosity ratio " << p.solid->viscosity_ratio;
   text << ", grid " << p.grid.nx << " x " << p.grid.ny() << " x " << p.grid.nz << ", to time "
        << c.run.end_time << ", in " << name_of(p.precision) << " precision";

@@ -79,6 +79,9 @@ void Simulation::resume(const output::FoundCheckpoint& found) {
 ExitCode Simulation::run() {
   last_step_ = time::choose_time_step(state_, setup_);
   write_status();
+  if (state_.step == 0 && case_.run.field_interval > 0 && is_closed_box(case_.physics.flow)) {
+    output::write_snapshot(options_.files, state_, setup_);  // what later shapes are compared with
+  }
   Decision next = decide();
   while (!next.stop() && state_.time < case_.run.end_time) {
     const double time_before = state_.time;

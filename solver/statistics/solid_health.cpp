@@ -8,6 +8,7 @@
 #include "solver/grid/cell_loop.hpp"
 #include "solver/parallel/reduce.hpp"
 #include "solver/solid/limiter.hpp"
+#include "solver/statistics/body.hpp"
 #include "solver/statistics/interface_height.hpp"
 
 namespace softwall::statistics {
@@ -54,6 +55,12 @@ double volume_of(const grid::Field& field, const grid::Grid& g,
   return area * parallel::sum(decomposition.all(), here);
 }
 
+double width_of(const Material& m, const time::Setup& setup) {
+  const auto& g = setup.grid;
+  if (is_closed_box(setup.physics.flow)) return body_of(m.phi, g, setup.decomposition).width_cells;
+  return interface_width(m.phi, g, setup.decomposition);
+}
+
 }  // namespace
 
 SolidHealth solid_health(const time::State& state, const time::Setup& setup) {
@@ -64,7 +71,7 @@ SolidHealth solid_health(const time::State& state, const time::Setup& setup) {
   const Extremes here =
       extremes_of(m, grid::rows(g, setup.solid->first_row(), g.ny), setup.physics.solid->threshold);
   return {parallel::minimum(all, here.min_eigenvalue), parallel::maximum(all, here.max_det_error),
-          interface_width(m.phi, g, setup.decomposition), volume_of(m.phi, g, setup.decomposition)};
+          width_of(m, setup), volume_of(m.phi, g, setup.decomposition)};
 }
 
 }  // namespace softwall::statistics

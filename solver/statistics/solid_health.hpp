@@ -9,7 +9,8 @@ namespace softwall::statistics {
 struct SolidHealth {
   double min_eigenvalue = 1;         ///< smallest eigenvalue of B at any center of the rows that hold solid
   double max_det_error = 0;          ///< max |det B - 1| over centers with phi >= the case's threshold
-  double interface_width_cells = 0;  ///< 10-90 % width of phi in rows, mean over columns; a sharp step: 0.8
+  double interface_width_cells = 0;  ///< 10-90 % width of phi in cells, mean over columns (a sharp step: 0.8)
+                                     ///< or, in a closed box, along the outline (body.hpp)
   double solid_volume = 0;           ///< sum of phi dV over the box, h^3; constant to round-off
 };
 

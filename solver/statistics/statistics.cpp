@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "solver/statistics/box_series.hpp"
 #include "solver/statistics/profiles.hpp"
 #include "solver/statistics/series.hpp"
 
@@ -12,12 +13,21 @@ namespace {
 
 bool elastic(const time::Setup& setup) { return setup.solid.has_value(); }
 
+/// A closed box has no plane means: no direction in it is statistically uniform.
+bool has_profiles(const time::Setup& setup) { return !is_closed_box(setup.physics.flow); }
+
+std::span<const SeriesKind> series_of(const time::Setup& setup) {
+  return has_profiles(setup) ? series_kinds(elastic(setup)) : box_series_kinds(elastic(setup));
+}
+
 Blocks empty_blocks(const time::Setup& setup) {
   std::vector<Combine> combines;
-  for (const auto& kind : series_kinds(elastic(setup))) combines.push_back(kind.combine);
+  for (const auto& kind : series_of(setup)) combines.push_back(kind.combine);
   const PlaneMeans means(elastic(setup), setup.grid.ny);
   const auto& spec = setup.physics.statistics;
-  return {{spec.start_time, spec.block_length}, means.values().size(), std::move(combines)};
+  return {{spec.start_time, spec.block_length},
+          has_profiles(setup) ? means.values().size() : 0,
+          std::move(combines)};
 }
 
 analysis::BlockStatistics frame(const time::Setup& setup) {
@@ -51,10 +61,10 @@ void append_profiles(const Block& block, analysis::BlockStatistics& to) {
   }
 }
 
-void append_series(const Blocks& blocks, const Block& block, analysis::BlockStatistics& to) {
-  to.series["driving_gradient"].push_back(block.driven / block.stepped);
+void append_series(const Blocks& blocks, const Block& block, std::span<const SeriesKind> kinds,
+                   analysis::BlockStatistics& to) {
   std::size_t s = 0;
-  for (const auto& kind : series_kinds(to.elastic)) {
+  for (const auto& kind : kinds) {
     to.series[std::string(kind.name)].push_back(blocks.series_value(block, s++));
     explain(kind, to);
   }
@@ -79,6 +89,10 @@ void Statistics::sample_step(const time::State& s, double dt) {
 }
 
 void Statistics::sample_fields(const time::State& s, double weight) {
+  if (!has_profiles(setup_)) {
+    blocks_.add_sample(s.time, weight, {}, box_series_sample(s, setup_));
+    return;
+  }
   const PlaneMeans means = plane_means(s, setup_);
   blocks_.add_sample(s.time, weight, means.values(), series_sample(s, setup_, means));
 }
@@ -106,8 +120,10 @@ analysis::BlockStatistics Statistics::blocks() const {
     result.start.push_back(schedule.start + double(block.index) * schedule.length);
     result.end.push_back(schedule.start + double(block.index + 1) * schedule.length);
     result.weight.push_back(block.sampled);
+    append_series(blocks_, block, series_of(setup_), result);
+    if (!has_profiles(setup_)) continue;
     append_profiles(block, result);
-    append_series(blocks_, block, result);
+    result.series["driving_gradient"].push_back(block.driven / block.stepped);
   }
   return result;
 }
