@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "solver/case/case.hpp"
-#include "solver/fluid/implicit_viscosity.hpp"
+#include "solver/time/implicit_viscosity.hpp"
 #include "solver/fluid/predictor.hpp"
 #include "solver/fluid/walls.hpp"
 #include "solver/grid/halo.hpp"
@@ -34,7 +34,7 @@ class Setup {
   fluid::Predictor predictor;
   std::optional<pressure::Projection> projection;         ///< of a channel
   std::optional<pressure::BoxProjection> box_projection;  ///< of a closed box
-  std::optional<fluid::ImplicitViscosity> implicit_viscosity;
+  std::optional<ImplicitViscosity> implicit_viscosity;
   std::optional<solid::Solid> solid;
 };
 

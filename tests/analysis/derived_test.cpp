@@ -184,6 +184,15 @@ TEST(Derived, CoarseGridHasNoLogLawAndSaysSo) {
   EXPECT_NEAR(q.re_tau.value, 240.5, 1e-9);
 }
 
+TEST(Derived, AClosedBoxHasAWindowAndNoFriction) {
+  BlockStatistics s = samples::elastic_statistics({}, 10);
+  s.profiles.clear();
+  const DerivedQuantities q = derive(s);
+  EXPECT_EQ(q.blocks, 10);
+  EXPECT_TRUE(std::isnan(q.re_tau.value));
+  EXPECT_NE(q.note.find("not a channel"), std::string::npos) << q.note;
+}
+
 TEST(Derived, RefusesStatisticsThatLackTheEssential) {
   BlockStatistics s = samples::elastic_statistics({}, 10);
   s.series.erase("driving_gradient");

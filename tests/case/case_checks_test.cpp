@@ -35,6 +35,46 @@ TEST(CaseChecks, ARigidChannelHasNone) {
   expect_complaint(document, "/physics/grid/ny_solid: 8; must be 0");
 }
 
+json box_with(const char* pointer, const json& value) {
+  json document = tests::box_document();
+  document[json::json_pointer(pointer)] = value;
+  return document;
+}
+
+TEST(CaseChecks, AClosedBoxIsFlatAndUniform) {
+  EXPECT_EQ(complaint_about(tests::box_document()), "");
+  expect_complaint(box_with("/physics/grid/nz", 4), "/physics/grid/nz: 4; must be 1");
+  expect_complaint(box_with("/physics/grid/stretching", 1), "/physics/grid/stretching");
+  expect_complaint(box_with("/physics/grid/ny_solid", 4), "/physics/grid/ny_solid: 4; must be 0");
+  expect_complaint(box_with("/physics/initial", {{"type", "precursor"}, {"precursor", "0123456789abcdef"}}),
+                   "/physics/initial/type: precursor");
+}
+
+TEST(CaseChecks, TheSolidOfAClosedBoxIsADiscAwayFromTheWalls) {
+  expect_complaint(box_with("/physics/solid", {{"G", 1}, {"extension", "normal"}}),
+                   "/physics/solid/disc: missing");
+  expect_complaint(box_with("/physics/solid/disc/x", 0.79), "/physics/solid/disc: touches a wall");
+  expect_complaint(box_with("/physics/solid/disc/y", 0.21), "/physics/solid/disc: touches a wall");
+  expect_complaint(box_with("/physics/solid/extension", "column"), "/physics/solid/extension: column");
+  json fluid = tests::box_document();
+  fluid["physics"].erase("solid");
+  EXPECT_EQ(complaint_about(fluid), "");
+  fluid["physics"]["flow"] = "rotation";
+  expect_complaint(fluid, "/physics/solid/disc: missing");
+}
+
+TEST(CaseChecks, ImplicitViscosityNeedsABoxOfOneViscosity) {
+  expect_complaint(box_with("/physics/solid/viscosity_ratio", 2), "/physics/time_step/viscosity: implicit");
+  expect_complaint(elastic_with("/physics/time_step/viscosity", "implicit"),
+                   "must be \"explicit\" in a channel");
+}
+
+TEST(CaseChecks, AChannelIsNoBox) {
+  expect_complaint(elastic_with("/physics/domain/height", 1), "/physics/domain/height");
+  expect_complaint(elastic_with("/physics/solid/disc", {{"x", 1}, {"y", 1}, {"radius", 0.2}}),
+                   "/physics/solid/disc: given");
+}
+
 TEST(CaseChecks, UniformSpacingMustMatch) {
   expect_complaint(elastic_with("/physics/grid/ny_solid", 9), "ny_solid must be 8");
   expect_complaint(elastic_with("/physics/domain/layer_height", 0.51), "no ny_solid fits");

@@ -45,6 +45,18 @@ inline nlohmann::json full_document() {
             "field_interval": 0.5, "initial_checkpoint": "../p/checkpoints/checkpoint-000000100.h5"}})");
 }
 
+/// What a channel cannot have: every member that only a closed box gives meaning to, none with its default.
+inline nlohmann::json box_document() {
+  return nlohmann::json::parse(R"({
+    "format": 1, "label": "box",
+    "physics": {
+      "flow": "cavity", "domain": {"length_x": 1, "height": 1.5}, "grid": {"nx": 32, "ny_fluid": 48, "nz": 1},
+      "solid": {"G": 0.1, "extension": "normal",
+                "disc": {"x": 0.6, "y": 0.5, "radius": 0.2, "slot_width": 0.05, "slot_depth": 0.25}},
+      "time_step": {"viscosity": "implicit"}},
+    "run": {"end_time": 11}})");
+}
+
 inline std::string id_of(const nlohmann::json& document) { return parse_case(document.dump()).id; }
 
 /// The message of the BadInput that this raises; empty when it raises none.

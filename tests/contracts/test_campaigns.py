@@ -11,7 +11,15 @@ from repository import ROOT, committed_files, run_softwall, text_of
 PAPER = {(4, 1), (2, 1), (1, 1), (0.5, 1), (1, 0.1), (1, 10)}  # (G, viscosity ratio) of tables 1 and 2
 
 
+VALIDATION = {"zalesak": 4, "cavity": 3, "cavity-disc": 3}  # cases of each folder in runs/validation
+
+
 def campaigns():
+    """Those of the paper's walls."""
+    return [path for path in all_campaigns() if path.parts[1] != "validation"]
+
+
+def all_campaigns():
     return [path for path in committed_files() if path.parts[0] == "runs" and path.name == "campaign.json"]
 
 
@@ -28,6 +36,14 @@ class Campaigns(unittest.TestCase):
                 self.assertEqual(len(cases), 7)
                 self.assertEqual(len({case["case_id"] for case in cases}), 7)
                 self.assertTrue(all(case["steps"] >= 0 for case in cases))
+
+    def test_softwall_plans_the_validation(self):
+        planned = {}
+        for path in all_campaigns():
+            if path.parts[1] == "validation":
+                cases = json.loads(run_softwall("plan", ROOT / path, "--json"))["cases"]
+                planned[path.parts[2]] = len({case["case_id"] for case in cases})
+        self.assertEqual(planned, VALIDATION)
 
     def test_softwall_accepts_the_example_in_the_readme(self):
         example = re.search(r"^```json\n(.*?)^```", text_of("README.md"), re.MULTILINE | re.DOTALL).group(1)

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/fields.hpp"
 
 namespace softwall::grid {
@@ -52,6 +54,33 @@ TEST(Halo, FillsFacesEdgesAndCornersFromAnyRank) {
         Field f = labelled(d.grid, ghost, 0);
         d.halo.fill({&f});
         expect_filled(f, d.grid, 0, {-ghost, d.grid.ny + ghost});
+      }
+    }
+  }
+}
+
+TEST(Halo, OneCellInZIsItsOwnNeighbour) {
+  Domain d(MPI_COMM_WORLD, {19, 5, 1}, {}, support::faces(5));
+  for (const int ghost : {1, 2, 3}) {
+    Field f = labelled(d.grid, ghost, 0);
+    d.halo.fill({&f});
+    expect_filled(f, d.grid, 0, {-ghost, d.grid.ny + ghost});
+  }
+}
+
+TEST(Halo, RepeatsTheColumnsAtWallsInX) {
+  for (const int nz : {1, 7}) {
+    Domain d(MPI_COMM_WORLD, {20, 5, nz}, {}, support::faces(5));
+    const Grid& g = d.grid;
+    Halo halo(d.decomposition, true);
+    for (const int ghost : {1, 3}) {
+      Field f = labelled(g, ghost, 0);
+      halo.fill({&f});
+      for (int k = -ghost; k < g.nz + ghost; ++k) {
+        for (int i = -ghost; i < g.nx + ghost; ++i) {
+          const int column = std::clamp(g.x_begin + i, 0, g.nx_global - 1);
+          ASSERT_EQ(f(i, 2, k), label(column, 2, wrapped(g.z_begin + k, nz), 0)) << i << ' ' << k;
+        }
       }
     }
   }

@@ -21,16 +21,16 @@ std::vector<int> owners(const Decomposition& d, int nx, int nz) {
 }
 
 TEST(Decomposition, GivesEveryColumnToOneRankOrRefuses) {
-  for (int nx = 3; nx <= 13; ++nx) {
-    for (int nz = 3; nz <= 13; ++nz) {
+  for (int nx = 1; nx <= 13; ++nx) {
+    for (int nz = 1; nz <= 13; ++nz) {
       if (!fits(nx, nz, world_size())) {
         EXPECT_THROW(Decomposition(MPI_COMM_WORLD, nx, nz), std::invalid_argument) << nx << " x " << nz;
         continue;
       }
       const Decomposition d(MPI_COMM_WORLD, nx, nz);
       EXPECT_EQ(d.px() * d.pz(), world_size());
-      EXPECT_GE(d.x().size(), Decomposition::kMinimumWidth);
-      EXPECT_GE(d.z().size(), Decomposition::kMinimumWidth);
+      EXPECT_GE(d.x().size(), d.px() > 1 ? Decomposition::kMinimumWidth : 1);
+      EXPECT_GE(d.z().size(), d.pz() > 1 ? Decomposition::kMinimumWidth : 1);
       for (const int n : owners(d, nx, nz)) ASSERT_EQ(n, 1) << nx << " x " << nz;
     }
   }
@@ -83,6 +83,7 @@ TEST(Decomposition, LinesJoinTheRanksThatDifferInOneDirection) {
 }
 
 TEST(Decomposition, RefusesANarrowGridAndSaysWhy) {
+  if (world_size() == 1) GTEST_SKIP() << "one rank holds any grid";
   try {
     const Decomposition d(MPI_COMM_WORLD, 2, 5);
     FAIL() << "a grid two columns wide was accepted";

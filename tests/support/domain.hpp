@@ -47,9 +47,10 @@ inline int world_size() {
 /// True when nx x nz columns can be shared among `ranks`.
 inline bool fits(int nx, int nz, int ranks) {
   for (int pz = 1; pz <= ranks; ++pz) {
-    const bool wide = nz / pz >= parallel::Decomposition::kMinimumWidth &&
-                      nx / (ranks / pz) >= parallel::Decomposition::kMinimumWidth;
-    if (ranks % pz == 0 && wide) return true;
+    const auto wide = [](int n, int parts) {
+      return parts == 1 || n / parts >= parallel::Decomposition::kMinimumWidth;
+    };
+    if (ranks % pz == 0 && wide(nz, pz) && wide(nx, ranks / pz)) return true;
   }
   return false;
 }

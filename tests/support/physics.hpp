@@ -43,6 +43,30 @@ inline Physics solid_box(Cells n) {
   return p;
 }
 
+/// A square cavity of nx x ny cells with a moving lid, Re = 100, fluid alone.
+inline Physics cavity(int nx, int ny) {
+  Physics p;
+  p.flow = FlowType::kCavity;
+  p.reynolds = 100;
+  p.length_x = p.length_z = p.height = 1;
+  p.grid = {.nx = nx, .ny_fluid = ny, .ny_solid = 0, .nz = 1, .stretching = 0};
+  p.time_step.safety = 0.8;
+  return p;
+}
+
+/// The same with a soft disc near the lid, which begins to move at once.
+inline Physics cavity_with_disc(int nx, int ny) {
+  Physics p = cavity(nx, ny);
+  p.solid = SolidSpec{.G = 0.1,
+                      .viscosity_ratio = 1,
+                      .weno = WenoWeights::kZ,
+                      .threshold = 0.5,
+                      .min_eigenvalue = 1e-4,
+                      .extension = Extension::kNormal,
+                      .disc = DiscSpec{.x = 0.6, .y = 0.65, .radius = 0.2}};
+  return p;
+}
+
 /// phi = 1 and B = identity everywhere.
 inline solid::Material solid_everywhere(const grid::Grid& g) {
   solid::Material m(g);

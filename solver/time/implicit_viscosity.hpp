@@ -11,25 +11,25 @@
 /// on the walls whatever their motion:
 ///   (1 - a laplacian) du = u^ - u^{k-1} + 2 a laplacian(u^{k-1}),   a = alpha dt nu.
 /// (Le & Moin, J. Comput. Phys. 92, 1991: second order, stable for any a.)
-namespace softwall::fluid {
+namespace softwall::time {
 
 class ImplicitViscosity {
  public:
-  ImplicitViscosity(const grid::Grid& grid, const parallel::Decomposition& decomposition, Real viscosity);
+  ImplicitViscosity(const grid::Grid& grid, const parallel::Decomposition& decomposition, grid::Real viscosity);
 
   /// Before the prediction: keeps u^{k-1}, whose ghost cells must be filled, and its viscous part.
-  void keep(const grid::VectorField& velocity, const Stage& stage, Real dt);
+  void keep(const grid::VectorField& velocity, const Stage& stage, grid::Real dt);
   /// After it: replaces u^ by u*. Ghost cells are stale.
-  void apply(grid::VectorField& velocity, const Stage& stage, Real dt);
+  void apply(grid::VectorField& velocity, const Stage& stage, grid::Real dt);
 
  private:
   void solve(pressure::BoxSolver& solver, grid::Field& velocity, const grid::Field& old,
-             const grid::Field& viscous, Real a) const;
+             const grid::Field& viscous, grid::Real a) const;
 
   const grid::Grid& grid_;
-  const Real viscosity_;
+  const grid::Real viscosity_;
   pressure::BoxSolver u_, v_;
   grid::VectorField old_, viscous_;  ///< u^{k-1}; 2 a laplacian(u^{k-1})
 };
 
-}  // namespace softwall::fluid
+}  // namespace softwall::time
