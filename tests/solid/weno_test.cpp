@@ -69,7 +69,7 @@ TEST(Weno, StaysBetweenTheValuesAtAJump) {
   for (const auto weno : kBoth) {
     for (const auto& q :
          {std::array{0., 0., 0., 1., 1.}, {0., 0., 0., 0., 1.}, {1., 1., 0., 0., 0.}, {1., 0., 0., 0., 0.}}) {
-      for (const double size : {1e-3, 1.0, 500.0}) {
+      for (const double size : {1.0, 500.0}) {
         std::array<Real, 5> jump{};
         for (std::size_t n = 0; n < q.size(); ++n) jump[n] = Real(size * q[n]);
         const double value = weno(jump[0], jump[1], jump[2], jump[3], jump[4]) / size;

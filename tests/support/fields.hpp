@@ -18,6 +18,7 @@ namespace softwall::support {
 
 using grid::Field;
 using grid::Grid;
+using grid::Real;
 using grid::VectorField;
 
 /// Where in a cell a quantity lives: 0 on the low face, 0.5 at the center, in x and in z.
