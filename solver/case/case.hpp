@@ -47,7 +47,7 @@ struct SolidSpec {
   double threshold = 0.0;       ///< cells with phi below it take B from the solid, as `extension` says
   double min_eigenvalue = 0.0;  ///< B is kept >= this in every cell
   Extension extension = Extension::kColumn;
-  std::optional<DiscSpec> disc;  ///< initial shape in a closed box; absent: the layer on y > 2
+  std::optional<DiscSpec> disc = std::nullopt;  ///< initial shape in a closed box; absent: the layer on y > 2
 };
 
 struct TimeStepSpec {

@@ -29,6 +29,9 @@ constexpr std::pair<Extension, const char*> kExtensionNames[] = {{Extension::kCo
 constexpr std::pair<ViscousTerms, const char*> kViscousNames[] = {{ViscousTerms::kExplicit, "explicit"},
                                                                   {ViscousTerms::kImplicit, "implicit"}};
 
+constexpr std::pair<Precision, const char*> kPrecisionNames[] = {{Precision::kDouble, "double"},
+                                                                 {Precision::kSingle, "single"}};
+
 template <typename Enum, std::size_t kCount>
 std::string name_of(Enum value, const Names<Enum, kCount>& names) {
   return std::find_if(std::begin(names), std::end(names), [&](const auto& one) { return one.first == value; })

@@ -10,24 +10,25 @@ namespace softwall::pressure {
 BoxProjection::BoxProjection(const Grid& grid, const parallel::Decomposition& decomposition, grid::Halo& halo)
     : grid_(grid), halo_(halo), solver_(grid, decomposition, BoxQuantity::kPressure), psi_(grid, 1) {}
 
-void BoxProjection::project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, Real dt) {
+void BoxProjection::project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, double dt) {
   const auto& g = grid_;
-  const Real duration = 2 * stage.alpha * dt, inv_dx = 1 / g.dx, inv_dz = 1 / g.dz;
+  const Real duration = static_cast<Real>(2 * stage.alpha * dt), inv_dx = static_cast<Real>(1 / g.dx),
+             inv_dz = static_cast<Real>(1 / g.dz);
   const Real *inv_dy = g.inv_dy.data(), *inv_dy_face = g.inv_dy_face.data();
   const auto u = velocity.x.view(), v = velocity.y.view();
   const auto& old = std::as_const(velocity);
   const auto cu = old.x.view(), cv = old.y.view(), cw = old.z.view();
-  Real* const dense = solver_.values();
+  double* const dense = solver_.values();
   const std::ptrdiff_t row = g.nx;
   const auto all = grid::all_cells(g);
 
   grid::for_each_cell(all, [=](int i, int j, int k) {
-    dense[i + j * row] = divergence(cu, cv, cw, inv_dx, inv_dy[j], inv_dz, i, j, k) / duration;
+    dense[i + j * row] = double(divergence(cu, cv, cw, inv_dx, inv_dy[j], inv_dz, i, j, k)) / duration;
   });
   solver_.solve(0);
   const auto psi = psi_.view(), p = pressure.view();
   grid::for_each_cell(all, [=](int i, int j, int k) {
-    psi(i, j, k) = dense[i + j * row];
+    psi(i, j, k) = static_cast<Real>(dense[i + j * row]);
     p(i, j, k) += psi(i, j, k);
   });
   halo_.fill({&psi_}, {0, g.ny});

@@ -6,6 +6,8 @@
 
 namespace softwall::pressure {
 
+using grid::Real;
+
 /// What Projection is to a channel, for a closed box: makes the predicted velocity divergence-free and
 /// updates the pressure, paper eq:NS-num2 and eq:NS-num3:
 ///   laplacian(psi) = div(u*) / (2 alpha dt),   u = u* - 2 alpha dt grad psi,   p += psi.
@@ -16,7 +18,7 @@ class BoxProjection {
 
   /// `velocity` with all ghost cells filled on entry; interior divergence-free on return, ghost cells stale,
   /// those of the pressure too.
-  void project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, Real dt);
+  void project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, double dt);
 
  private:
   const Grid& grid_;

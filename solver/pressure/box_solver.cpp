@@ -9,7 +9,7 @@ namespace softwall::pressure {
 
 namespace {
 
-RealRowsInPlace transform_in_x(BoxQuantity quantity, int nx, int rows) {
+RealRows transform_in_x(BoxQuantity quantity, int nx, int rows) {
   switch (quantity) {
     case BoxQuantity::kU:
       return {{nx - 1, rows, nx}, FFTW_RODFT00, FFTW_RODFT00};
@@ -60,7 +60,7 @@ BoxSolver::BoxSolver(const Grid& g, const parallel::Decomposition& d, BoxQuantit
   factor_.resize(columns_.size());
 }
 
-void BoxSolver::solve(Real shift) {
+void BoxSolver::solve(double shift) {
   transform(true);
   eliminate(shift);
   if (!determined_ && shift == 0 && grid_.x_begin == 0) remove_mean();
@@ -82,7 +82,7 @@ void BoxSolver::transform(bool forward) {
 /// the modified upper diagonal f and the modified right-hand side r obey
 ///   f[j] = upper / (lower (1 - f[j-1]) + upper + wall + kappa2 + shift),
 ///   r[j] = (lower r[j-1] - rhs) / (the same denominator).
-void BoxSolver::eliminate(Real shift) {
+void BoxSolver::eliminate(double shift) {
   const std::ptrdiff_t nx = grid_.nx;
   const double scale = 1.0 / (2.0 * grid_.nx_global);  // FFTW's transforms are not normalised
   double *const r = columns_.data(), *const f = factor_.data();

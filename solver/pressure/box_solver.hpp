@@ -4,7 +4,7 @@
 
 #include "solver/grid/field.hpp"
 #include "solver/parallel/transfer.hpp"
-#include "solver/pressure/fft.hpp"
+#include "solver/pressure/real_rows.hpp"
 
 /// Solves the second-order equation of the staggered grid
 ///   (laplacian - shift) q = rhs,   shift >= 0,
@@ -18,12 +18,12 @@
 ///   u           faces, q = 0: sines (RODFT00)              centers, q = 0 midway to the mirrored cell
 ///   v           centers, q = 0: sines (RODFT10, 01)        faces, q = 0
 ///
-/// Columns are split in x between the ranks, as everywhere. For the transforms rows are made whole instead;
-/// the tridiagonal systems are again solved in whole columns, of wave numbers instead of cells.
+/// Always in double precision. Columns are split in x between the ranks, as everywhere. For the transforms
+/// rows are made whole instead; the tridiagonal systems are again solved in whole columns, of wave numbers
+/// instead of cells.
 namespace softwall::pressure {
 
 using grid::Grid;
-using grid::Real;
 
 enum class BoxQuantity { kPressure, kU, kV };
 
@@ -34,19 +34,19 @@ class BoxSolver {
 
   /// This rank's right-hand side on entry, the solution on return: dense, (ny, nx), x fastest; where the
   /// quantity lives on faces, what stands on the walls (row 0, the first column) is not used.
-  [[nodiscard]] Real* values() { return columns_.data(); }
+  [[nodiscard]] double* values() { return columns_.data(); }
   /// With shift = 0 the pressure is determined up to a constant: its mean is set to zero.
-  void solve(Real shift);
+  void solve(double shift);
 
  private:
   void transform(bool forward);
-  void eliminate(Real shift);
+  void eliminate(double shift);
   void remove_mean();
 
   const Grid& grid_;
   parallel::Transfer<double> transfer_;
   std::vector<double> columns_, rows_;
-  RealRowsInPlace transform_;
+  RealRows transform_;
   int first_column_ = 0;                      ///< of what is transformed: 1 for u
   int first_row_ = 0;                         ///< 1 for v
   bool determined_ = true;                    ///< false for the pressure

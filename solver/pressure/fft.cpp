@@ -1,7 +1,5 @@
 #include "solver/pressure/fft.hpp"
 
-#include <vector>
-
 namespace softwall::pressure {
 
 namespace {
@@ -40,22 +38,6 @@ ComplexRowsTransform::ComplexRowsTransform(int n, int rows, int stride)
 
 void ComplexRowsTransform::execute(const PlanOwner& plan, Complex* rows) {
   if (plan) Library::execute_rows(plan.get(), rows);
-}
-
-RealRowsInPlace::RealRowsInPlace(const Shape& shape, fftw_r2r_kind forward, fftw_r2r_kind backward) {
-  if (shape.rows == 0) return;
-  std::vector<double> sample(static_cast<std::size_t>(shape.rows) * static_cast<std::size_t>(shape.distance));
-  const auto plan = [&](fftw_r2r_kind kind) {
-    return owned(fftw_plan_many_r2r(1, &shape.n, shape.rows, sample.data(), nullptr, 1, shape.distance,
-                                    sample.data(), nullptr, 1, shape.distance, &kind,
-                                    FFTW_ESTIMATE | FFTW_UNALIGNED));
-  };
-  forward_ = plan(forward);
-  backward_ = plan(backward);
-}
-
-void RealRowsInPlace::execute(const PlanOwner& plan, double* first) {
-  if (plan) fftw_execute_r2r(plan.get(), first, first);
 }
 
 }  // namespace softwall::pressure

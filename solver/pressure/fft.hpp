@@ -73,21 +73,4 @@ class ComplexRowsTransform {
   PlanOwner forward_, backward_;  ///< empty when there is nothing to transform
 };
 
-/// `rows` real rows of n numbers, their first ones `distance` apart, in place, at any address; not normalised
-/// either way. Kinds: FFTW_REDFT10 (cosines), FFTW_RODFT10, FFTW_RODFT00 (sines) and their inverses.
-class RealRowsInPlace {
- public:
-  struct Shape {
-    int n = 0, rows = 0, distance = 0;
-  };
-  RealRowsInPlace() = default;
-  RealRowsInPlace(const Shape& shape, fftw_r2r_kind forward, fftw_r2r_kind backward);
-  void forward(double* first) const { execute(forward_, first); }
-  void backward(double* first) const { execute(backward_, first); }
-
- private:
-  static void execute(const PlanOwner& plan, double* first);
-  PlanOwner forward_, backward_;  ///< empty when there is nothing to transform
-};
-
 }  // namespace softwall::pressure

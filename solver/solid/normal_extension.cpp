@@ -28,7 +28,7 @@ NormalExtension::NormalExtension(const Grid& grid, const parallel::Decomposition
       at_xz_(grid, Material::kGhost),
       at_yz_(grid, Material::kGhost) {}
 
-grid::Box NormalExtension::solid_box(const grid::Field& phi, Real threshold) const {
+grid::Box NormalExtension::solid_box(const grid::Field& phi, double threshold) const {
   const auto& g = grid_;
   std::array<int, 6> least{g.nx_global, g.ny, g.nz_global, 1, 1, 1};  // lowest cell; minus the end
   for (int k = 0; k < g.nz; ++k) {
@@ -64,7 +64,7 @@ grid::Box NormalExtension::near_solid(const grid::Box& solid, int cells, int row
 }
 
 template <class FractionAt>
-void NormalExtension::mark(const FractionAt& fraction, Real threshold, int rows, grid::Field& known) const {
+void NormalExtension::mark(const FractionAt& fraction, double threshold, int rows, grid::Field& known) const {
   const auto& g = grid_;
   const auto mark = known.view();
   const grid::Box box{-kMargin, g.nx + kMargin, 0, rows, -kMargin, g.nz + kMargin};
@@ -134,7 +134,7 @@ void NormalExtension::exchange(std::initializer_list<grid::Field*> fields, const
   halo_.fill(fields, {std::max(0, solid.j0 - cells), std::min(grid_.ny, solid.j1 + cells) + 1});
 }
 
-void NormalExtension::extend_shear(Material& material, Real threshold) {
+void NormalExtension::extend_shear(Material& material, double threshold) {
   const Fraction phi{std::as_const(material.phi).view(), grid_.upper_share.data()};
   const auto on_xy = [=](int i, int j, int k) { return phi.edge_xy(i, j, k); };
   const auto on_xz = [=](int i, int j, int k) { return phi.edge_xz(i, j, k); };
@@ -157,7 +157,7 @@ void NormalExtension::extend_shear(Material& material, Real threshold) {
   clear(std::array{&B.yz}, at_yz_, ny + 1, 0);
 }
 
-void NormalExtension::extend_normal(Material& material, Real threshold) {
+void NormalExtension::extend_normal(Material& material, double threshold) {
   const Fraction phi{std::as_const(material.phi).view(), grid_.upper_share.data()};
   const auto center = [=](int i, int j, int k) { return phi.center(i, j, k); };
   auto& B = material.B;

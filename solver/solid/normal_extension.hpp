@@ -25,9 +25,9 @@ class NormalExtension {
   NormalExtension(const Grid& grid, const parallel::Decomposition& decomposition, grid::Halo& halo);
 
   /// Replaces the shear components. Ghost cells of phi and of these must be filled, and are afterwards.
-  void extend_shear(Material& material, Real threshold);
+  void extend_shear(Material& material, double threshold);
   /// The same for the normal components.
-  void extend_normal(Material& material, Real threshold);
+  void extend_normal(Material& material, double threshold);
 
  private:
   /// Values for all components of one place, to be written once a layer is complete.
@@ -36,11 +36,11 @@ class NormalExtension {
     std::array<Real, 3> value;
   };
   /// Smallest box of cells that holds all solid, in global indices, the same on all ranks.
-  [[nodiscard]] grid::Box solid_box(const grid::Field& phi, Real threshold) const;
+  [[nodiscard]] grid::Box solid_box(const grid::Field& phi, double threshold) const;
   /// The part of it, grown by `cells`, in which this rank knows the neighbours of every place.
   [[nodiscard]] grid::Box near_solid(const grid::Box& solid, int cells, int rows) const;
   template <class FractionAt>
-  void mark(const FractionAt& fraction, Real threshold, int rows, grid::Field& known) const;
+  void mark(const FractionAt& fraction, double threshold, int rows, grid::Field& known) const;
   template <class FractionAt, std::size_t kCount>
   void grow(const FractionAt& fraction, const std::array<grid::Field*, kCount>& components,
             const grid::Box& box, int rows, grid::Field& known);

@@ -13,7 +13,7 @@ grid::Box predicted(const grid::Grid& g, bool on_y_faces) { return grid::rows(g,
 }  // namespace
 
 ImplicitViscosity::ImplicitViscosity(const grid::Grid& grid, const parallel::Decomposition& decomposition,
-                                     grid::Real viscosity)
+                                     double viscosity)
     : grid_(grid),
       viscosity_(viscosity),
       u_(grid, decomposition, pressure::BoxQuantity::kU),
@@ -21,7 +21,7 @@ ImplicitViscosity::ImplicitViscosity(const grid::Grid& grid, const parallel::Dec
       old_(grid, 0),
       viscous_(grid, 0) {}
 
-void ImplicitViscosity::keep(const grid::VectorField& velocity, const Stage& stage, grid::Real dt) {
+void ImplicitViscosity::keep(const grid::VectorField& velocity, const Stage& stage, double dt) {
   const auto& g = grid_;
   const grid::Real twice = 2 * stage.alpha * dt * viscosity_, in_x = 1 / (g.dx * g.dx);
   const grid::Real *inv_dy = g.inv_dy.data(), *inv_dy_face = g.inv_dy_face.data();
@@ -44,19 +44,19 @@ void ImplicitViscosity::keep(const grid::VectorField& velocity, const Stage& sta
   });
 }
 
-void ImplicitViscosity::apply(grid::VectorField& velocity, const Stage& stage, grid::Real dt) {
-  const grid::Real a = stage.alpha * dt * viscosity_;
+void ImplicitViscosity::apply(grid::VectorField& velocity, const Stage& stage, double dt) {
+  const double a = stage.alpha * dt * viscosity_;
   solve(u_, velocity.x, old_.x, viscous_.x, a);
   solve(v_, velocity.y, old_.y, viscous_.y, a);
 }
 
 void ImplicitViscosity::solve(pressure::BoxSolver& solver, grid::Field& velocity, const grid::Field& old,
-                              const grid::Field& viscous, grid::Real a) const {
+                              const grid::Field& viscous, double a) const {
   const auto& g = grid_;
   const auto box = predicted(g, &solver == &v_);
   const auto q = velocity.view();
   const auto before = old.view(), rate = viscous.view();
-  grid::Real* const dense = solver.values();
+  double* const dense = solver.values();
   const std::ptrdiff_t row = g.nx;
   grid::for_each_cell(box, [=](int i, int j, int k) {
     dense[i + j * row] = -(q(i, j, k) - before(i, j, k) + rate(i, j, k)) / a;

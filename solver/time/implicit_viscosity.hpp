@@ -15,19 +15,19 @@ namespace softwall::time {
 
 class ImplicitViscosity {
  public:
-  ImplicitViscosity(const grid::Grid& grid, const parallel::Decomposition& decomposition, grid::Real viscosity);
+  ImplicitViscosity(const grid::Grid& grid, const parallel::Decomposition& decomposition, double viscosity);
 
   /// Before the prediction: keeps u^{k-1}, whose ghost cells must be filled, and its viscous part.
-  void keep(const grid::VectorField& velocity, const Stage& stage, grid::Real dt);
+  void keep(const grid::VectorField& velocity, const Stage& stage, double dt);
   /// After it: replaces u^ by u*. Ghost cells are stale.
-  void apply(grid::VectorField& velocity, const Stage& stage, grid::Real dt);
+  void apply(grid::VectorField& velocity, const Stage& stage, double dt);
 
  private:
   void solve(pressure::BoxSolver& solver, grid::Field& velocity, const grid::Field& old,
-             const grid::Field& viscous, grid::Real a) const;
+             const grid::Field& viscous, double a) const;
 
   const grid::Grid& grid_;
-  const grid::Real viscosity_;
+  const double viscosity_;
   pressure::BoxSolver u_, v_;
   grid::VectorField old_, viscous_;  ///< u^{k-1}; 2 a laplacian(u^{k-1})
 };

@@ -3,13 +3,13 @@
 #include <optional>
 
 #include "solver/case/case.hpp"
-#include "solver/time/implicit_viscosity.hpp"
 #include "solver/fluid/predictor.hpp"
 #include "solver/fluid/walls.hpp"
 #include "solver/grid/halo.hpp"
 #include "solver/pressure/box_projection.hpp"
 #include "solver/pressure/projection.hpp"
 #include "solver/solid/solid.hpp"
+#include "solver/time/implicit_viscosity.hpp"
 #include "solver/time/state.hpp"
 
 namespace softwall::time {

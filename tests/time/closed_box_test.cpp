@@ -38,11 +38,11 @@ State reread(State& s, const Setup& setup) {
 
 TEST(ClosedBox, GoesOnWithTheSameBitsAfterARestart) {
   for (const Physics& p : {support::cavity_with_disc(24, 26), implicit_cavity_with_disc(24, 26)}) {
-    Setup setup(p, MPI_COMM_WORLD);
+    time::Setup setup(p, MPI_COMM_WORLD);
     State s = closed_box_at_start(setup);
     for (int n = 0; n < 12; ++n) {
       step(s, setup);
-      Setup second(p, MPI_COMM_WORLD);
+      time::Setup second(p, MPI_COMM_WORLD);
       State copy = reread(s, second);
       start(copy, second);
       ASSERT_EQ(support::all_fields(copy, second), support::all_fields(s, setup))
@@ -57,7 +57,7 @@ TEST(ClosedBox, GoesOnWithTheSameBitsAfterARestart) {
 TEST(ClosedBox, IsTheSameOnAnyNumberOfRanks) {
   const Physics p = implicit_cavity_with_disc(24, 26);
   const auto after = [&](MPI_Comm comm) {
-    Setup setup(p, comm);
+    time::Setup setup(p, comm);
     State s = closed_box_at_start(setup);
     for (int n = 0; n < 20; ++n) advance(s, setup, 0.01);
     return support::all_fields(s, setup);
@@ -70,7 +70,7 @@ TEST(ClosedBox, IsTheSameOnAnyNumberOfRanks) {
 }
 
 TEST(ClosedBox, KeepsItsSolidAndHasNoDivergence) {
-  Setup setup(implicit_cavity_with_disc(32, 32), MPI_COMM_WORLD);
+  time::Setup setup(implicit_cavity_with_disc(32, 32), MPI_COMM_WORLD);
   State s = closed_box_at_start(setup);
   const double before = area(s, setup);
   while (s.time < 1) step(s, setup);
@@ -82,7 +82,7 @@ TEST(ClosedBox, KeepsItsSolidAndHasNoDivergence) {
 }
 
 TEST(ClosedBox, DoesNotFeelAnUndeformedDiscAtRest) {
-  Setup setup(support::cavity_with_disc(24, 24), MPI_COMM_WORLD);
+  time::Setup setup(support::cavity_with_disc(24, 24), MPI_COMM_WORLD);
   setup.walls.top_u = 0;
   State s = closed_box_at_start(setup);
   for (int n = 0; n < 10; ++n) step(s, setup);
@@ -93,7 +93,7 @@ TEST(ClosedBox, ARotationCarriesTheDiscOnceAround) {
   Physics p = support::cavity_with_disc(32, 32);
   p.flow = FlowType::kRotation;
   p.solid->disc = DiscSpec{.x = 0.5, .y = 0.7, .radius = 0.15};
-  Setup setup(p, MPI_COMM_WORLD);
+  time::Setup setup(p, MPI_COMM_WORLD);
   State s = closed_box_at_start(setup);
   const auto velocity = support::all_velocity(s, setup);
   const auto at = [&] {
@@ -116,10 +116,10 @@ TEST(ClosedBox, ARotationCarriesTheDiscOnceAround) {
 }
 
 TEST(ClosedBox, ImplicitViscosityDoesNotLimitTheStep) {
-  Setup explicitly(support::cavity(64, 64), MPI_COMM_WORLD);
+  time::Setup explicitly(support::cavity(64, 64), MPI_COMM_WORLD);
   Physics p = support::cavity(64, 64);
   p.time_step.viscosity = ViscousTerms::kImplicit;
-  Setup implicitly(p, MPI_COMM_WORLD);
+  time::Setup implicitly(p, MPI_COMM_WORLD);
   State a = closed_box_at_start(explicitly), b = closed_box_at_start(implicitly);
   EXPECT_STREQ(choose_time_step(a, explicitly).limit, "viscosity");
   EXPECT_STREQ(choose_time_step(b, implicitly).limit, "convection");
