@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "solver/time/advance.hpp"
+#include "tests/support/convergence.hpp"
 #include "tests/support/fields.hpp"
-#include "tests/support/order.hpp"
 #include "tests/support/physics.hpp"
 
 // A standing shear wave in a solid that fills the box, exact at any amplitude:
@@ -74,6 +74,9 @@ void expect_second_order_in_space(double stretching, double ratio, bool turned) 
   EXPECT_NEAR(support::observed_order(middle.shear, fine.shear), 2, 0.15);
   EXPECT_NEAR(support::observed_order(middle.stretch, fine.stretch), 2, 0.15);
   EXPECT_LT(fine.velocity, 5e-3 * kV);
+  support::report("shear wave, u", {coarse.velocity / kV, middle.velocity / kV, fine.velocity / kV});
+  support::report("shear wave, B_xy", {coarse.shear, middle.shear, fine.shear});
+  support::report("shear wave, B_xx", {coarse.stretch, middle.stretch, fine.stretch});
 }
 
 TEST(ShearWave, IsSecondOrderInSpace) { expect_second_order_in_space(0, 1, false); }

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "tests/support/order.hpp"
+#include "tests/support/convergence.hpp"
 #include "tests/support/slip_flow.hpp"
 
 // Decaying Taylor-Green vortices, carried along by a uniform stream: exact solutions of the whole equations.
@@ -85,6 +85,7 @@ void expect_second_order(const ErrorOn& error) {
   EXPECT_NEAR(support::observed_order(coarse, middle), 2, 0.3) << coarse << ' ' << middle;
   EXPECT_NEAR(support::observed_order(middle, fine), 2, 0.15) << middle << ' ' << fine;
   EXPECT_LT(fine, 5e-3);
+  support::report("Taylor-Green, velocity", {coarse, middle, fine});
 }
 
 TEST(TaylorGreen, IsSecondOrderInXz) { expect_second_order(error_in_xz); }
