@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "solver/grid/cell_loop.hpp"
-
 namespace softwall::fluid {
 
 namespace {
@@ -17,44 +15,49 @@ struct Output {
   View<Real> rate, predicted;
 };
 
-/// Momentum of one component in the rows of a box; kForce: rows that hold solid.
-template <bool kForce, class Rate, class PressureGradient>
-void update(const grid::Box& box, const Weights& w, View<const Real> old, View<const Real> force,
-            const Output& out, const Rate& rate, const PressureGradient& gradient) {
-  grid::for_each_cell(box, [=](int i, int j, int k) {
-    const Real now = rate(i, j, k);
-    Real change = w.now * now + w.before * out.rate(i, j, k) - w.pressure * gradient(i, j, k);
+/// One row of one component; kForce: it holds solid.
+template <bool kForce, class PressureGradient>
+void update(int nx, int j, int k, const Weights& w, const Real* now, View<const Real> old,
+            View<const Real> force, const Output& out, const PressureGradient& gradient) {
+#pragma omp simd
+  for (int i = 0; i < nx; ++i) {
+    Real change = w.now * now[i] + w.before * out.rate(i, j, k) - w.pressure * gradient(i, j, k);
     if constexpr (kForce) change += w.force * force(i, j, k);
-    out.rate(i, j, k) = now;
+    out.rate(i, j, k) = now[i];
     out.predicted(i, j, k) = old(i, j, k) + change;
-  });
+  }
 }
 
 /// The three components in rows j0 <= j < j1 (v: without the wall row 0).
 template <bool kVariable, bool kForce>
-void predict_rows(const Grid& g, int j0, int j1, const MomentumInput& m, View<const Real> p, const Weights& w,
-                  const grid::VectorField* force, grid::VectorField& rate, grid::VectorField& predicted) {
+void predict_rows(MomentumSweep& sweep, int nx, int j0, int j1, const MomentumInput& m, View<const Real> p,
+                  const Weights& w, const grid::VectorField* force, grid::VectorField& rate,
+                  grid::VectorField& predicted) {
   const auto view = [](const grid::Field& f) { return f.view(); };
   const auto force_x = force ? view(force->x) : m.u, force_y = force ? view(force->y) : m.v,
              force_z = force ? view(force->z) : m.w;
-  update<kForce>(
-      grid::rows(g, j0, j1), w, m.u, force_x, {rate.x.view(), predicted.x.view()},
-      [=](int i, int j, int k) { return momentum_x<kVariable>(m, i, j, k); },
-      [=](int i, int j, int k) { return (p(i, j, k) - p(i - 1, j, k)) * m.inv_dx; });
-  update<kForce>(
-      grid::rows(g, j0 > 1 ? j0 : 1, j1), w, m.v, force_y, {rate.y.view(), predicted.y.view()},
-      [=](int i, int j, int k) { return momentum_y<kVariable>(m, i, j, k); },
-      [=](int i, int j, int k) { return (p(i, j, k) - p(i, j - 1, k)) * m.inv_dy_face[j]; });
-  update<kForce>(
-      grid::rows(g, j0, j1), w, m.w, force_z, {rate.z.view(), predicted.z.view()},
-      [=](int i, int j, int k) { return momentum_z<kVariable>(m, i, j, k); },
-      [=](int i, int j, int k) { return (p(i, j, k) - p(i, j, k - 1)) * m.inv_dz; });
+  const Output x{rate.x.view(), predicted.x.view()}, y{rate.y.view(), predicted.y.view()},
+      z{rate.z.view(), predicted.z.view()};
+  sweep.for_each_row<kVariable>(m, j0, j1, [&](int row, int plane, const MomentumRow& now) {
+    update<kForce>(nx, row, plane, w, now.x, m.u, force_x, x,
+                   [=](int i, int j, int k) { return (p(i, j, k) - p(i - 1, j, k)) * m.inv_dx; });
+    if (row > 0) {
+      update<kForce>(nx, row, plane, w, now.y, m.v, force_y, y,
+                     [=](int i, int j, int k) { return (p(i, j, k) - p(i, j - 1, k)) * m.inv_dy_face[j]; });
+    }
+    update<kForce>(nx, row, plane, w, now.z, m.w, force_z, z,
+                   [=](int i, int j, int k) { return (p(i, j, k) - p(i, j, k - 1)) * m.inv_dz; });
+  });
 }
 
 }  // namespace
 
 Predictor::Predictor(const Grid& grid, double viscosity)
-    : grid_(grid), viscosity_(viscosity), rate_(grid, 1), predicted_(grid, 1) {}
+    : grid_(grid),
+      viscosity_(viscosity),
+      sweep_(grid),
+      rate_(grid, 1, grid::Memory::kWhole),
+      predicted_(grid, 1, grid::Memory::kWhole) {}
 
 void Predictor::advance(grid::VectorField& velocity, const grid::Field& pressure, const SolidInput& solid,
                         const Stage& stage, double dt) {
@@ -75,13 +78,13 @@ void Predictor::advance(grid::VectorField& velocity, const grid::Field& pressure
                   Real(stage.gamma * dt)};
   const auto p = pressure.view();
   const int solid_row = solid.force ? solid.first_row : g.ny;
-  predict_rows<false, false>(g, 0, solid_row, m, p, w, nullptr, rate_, predicted_);
+  predict_rows<false, false>(sweep_, g.nx, 0, solid_row, m, p, w, nullptr, rate_, predicted_);
   if (solid_row < g.ny) {
     m.phi = solid.fraction->view();
     if (solid.viscosity_ratio == 1) {
-      predict_rows<false, true>(g, solid_row, g.ny, m, p, w, solid.force, rate_, predicted_);
+      predict_rows<false, true>(sweep_, g.nx, solid_row, g.ny, m, p, w, solid.force, rate_, predicted_);
     } else {
-      predict_rows<true, true>(g, solid_row, g.ny, m, p, w, solid.force, rate_, predicted_);
+      predict_rows<true, true>(sweep_, g.nx, solid_row, g.ny, m, p, w, solid.force, rate_, predicted_);
     }
   }
   std::swap(velocity, predicted_);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/fluid/momentum.hpp"
+#include "solver/fluid/momentum_sweep.hpp"
 #include "solver/grid/field.hpp"
 #include "solver/grid/solid_input.hpp"
 #include "solver/grid/stage.hpp"
@@ -23,6 +23,7 @@ class Predictor {
  private:
   const Grid& grid_;
   double viscosity_;
+  MomentumSweep sweep_;
   grid::VectorField rate_;       ///< R^{k-2} on entry, R^{k-1} on return
   grid::VectorField predicted_;  ///< u*, exchanged with the velocity at the end
 };

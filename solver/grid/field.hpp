@@ -17,12 +17,15 @@ struct View {
   T& operator()(int i, int j, int k) const { return origin[i + j * stride_y + k * stride_z]; }
 };
 
+/// How a field's memory is got: all at once, in huge pages where possible; or page by page as it is touched,
+/// which is why solid fields may span the whole height.
+enum class Memory { kWhole, kAsTouched };
+
 /// Owner of nx x ny x nz numbers with `ghost` layers on every side, zero at first.
-/// Pages that nobody touches cost no memory (calloc), which is why solid fields may span the whole height.
 class Field {
  public:
   Field() = default;
-  Field(const Grid& g, int ghost);
+  Field(const Grid& g, int ghost, Memory memory = Memory::kAsTouched);
 
   Real& operator()(int i, int j, int k) { return view()(i, j, k); }
   Real operator()(int i, int j, int k) const { return view()(i, j, k); }
@@ -38,12 +41,11 @@ class Field {
   struct Free {
     void operator()(Real* p) const;
   };
-  [[nodiscard]] Real* origin() const {
-    return memory_.get() + ghost_ + ghost_ * stride_y_ + ghost_ * stride_z_;
-  }
+  [[nodiscard]] Real* origin() const { return memory_.get() + offset_; }
 
   int nx_ = 0, ny_ = 0, nz_ = 0, ghost_ = 0;
   std::ptrdiff_t stride_y_ = 0, stride_z_ = 0;
+  std::ptrdiff_t offset_ = 0;  ///< of cell (0, 0, 0)
   std::unique_ptr<Real[], Free> memory_;
 };
 
@@ -51,7 +53,8 @@ class Field {
 struct VectorField {
   Field x, y, z;
   VectorField() = default;
-  VectorField(const Grid& g, int ghost) : x(g, ghost), y(g, ghost), z(g, ghost) {}
+  VectorField(const Grid& g, int ghost, Memory memory = Memory::kAsTouched)
+      : x(g, ghost, memory), y(g, ghost, memory), z(g, ghost, memory) {}
 };
 
 /// Six components of a symmetric tensor: normal ones at centers, shear ones on edges.

@@ -82,8 +82,8 @@ void repeat_column(Side side, Field& f, RowSpan rows) {
 
 }  // namespace
 
-Halo::Halo(const parallel::Decomposition& decomposition, bool walls_in_x)
-    : decomposition_(decomposition), walls_in_x_(walls_in_x) {}
+Halo::Halo(const parallel::Decomposition& decomposition, bool walls_in_x, parallel::Profile* profile)
+    : decomposition_(decomposition), walls_in_x_(walls_in_x), profile_(profile) {}
 
 const parallel::Communicator& Halo::line_of(Side side) const {
   return in_x(side) ? decomposition_.x_line() : decomposition_.z_line();
@@ -96,6 +96,7 @@ bool Halo::at_wall(Side side) const {
 }
 
 void Halo::fill_side(Side side, std::initializer_list<Field*> fields, RowSpan rows) {
+  const parallel::Profile::Scope scope(profile_, parallel::Phase::kHalo);
   if (line_of(side).size() > 1) {
     exchange(side, fields, rows);
   } else {
@@ -124,6 +125,7 @@ void Halo::exchange(Side side, std::initializer_list<Field*> fields, RowSpan row
   parallel::check(MPI_Sendrecv(send_.data(), static_cast<int>(total), type, next, 0, receive_.data(),
                                static_cast<int>(total), type, previous, 0, line.get(), MPI_STATUS_IGNORE),
                   "MPI_Sendrecv");
+  if (profile_) profile_->count_messages(1, total * sizeof(Real));
   n = 0;
   for (Field* f : fields) n += copy_box<false>(*f, shift_to(side, *f, rows).to, receive_.data() + n);
 }

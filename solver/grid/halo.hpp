@@ -6,6 +6,7 @@
 #include "solver/grid/cell_loop.hpp"
 #include "solver/grid/field.hpp"
 #include "solver/parallel/decomposition.hpp"
+#include "solver/parallel/profile.hpp"
 
 /// Ghost layers in x and z, filled from the neighbouring ranks (or from the rank itself). Both directions are
 /// periodic, unless there are walls in x: beyond them the column at the wall is repeated, which is the
@@ -23,7 +24,9 @@ enum class Side { kLowX, kHighX, kLowZ, kHighZ };
 
 class Halo {
  public:
-  explicit Halo(const parallel::Decomposition& decomposition, bool walls_in_x = false);
+  /// `profile`: where time and messages are counted, if anywhere.
+  explicit Halo(const parallel::Decomposition& decomposition, bool walls_in_x = false,
+                parallel::Profile* profile = nullptr);
 
   /// Fills all ghost layers of the fields in x, then in z (so that corners are right), in the given rows.
   void fill(std::initializer_list<Field*> fields, RowSpan rows);
@@ -40,6 +43,7 @@ class Halo {
 
   const parallel::Decomposition& decomposition_;
   const bool walls_in_x_;
+  parallel::Profile* profile_;
   std::vector<Real> send_, receive_;
 };
 

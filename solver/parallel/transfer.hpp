@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/parallel/decomposition.hpp"
+#include "solver/parallel/profile.hpp"
 
 /// Pencil to pencil: makes one axis whole and splits another instead, within one line of ranks.
 namespace softwall::parallel {
@@ -21,8 +22,14 @@ class Transfer {
  public:
   /// `before` are this rank's extents with `scattered` whole; `gathered_total` is the whole extent of the
   /// other axis.
-  Transfer(const Communicator& line, Extents before, Axis scattered, Axis gathered, int gathered_total)
-      : line_(line), before_(before), after_(before), scattered_(scattered), gathered_(gathered) {
+  Transfer(const Communicator& line, Extents before, Axis scattered, Axis gathered, int gathered_total,
+           Profile* profile = nullptr)
+      : line_(line),
+        profile_(profile),
+        before_(before),
+        after_(before),
+        scattered_(scattered),
+        gathered_(gathered) {
     const int ranks = line.size(), rank = line.rank();
     scattered_parts_ = shares(before[scattered], ranks);
     gathered_parts_ = shares(gathered_total, ranks);
@@ -64,10 +71,13 @@ class Transfer {
   };
 
   void exchange(const End<const T*>& from, const End<T*>& to) {
+    const Profile::Scope scope(profile_, Phase::kTransposition);
     std::vector<int>&send_counts = counts_[0], &send_starts = counts_[1], &receive_counts = counts_[2],
     &receive_starts = counts_[3];
     layout(from.extents, from.axis, from.parts, send_counts, send_starts);
     layout(to.extents, to.axis, to.parts, receive_counts, receive_starts);
+    const auto own = static_cast<std::size_t>(send_counts[static_cast<std::size_t>(line_.rank())]);
+    if (profile_) profile_->count_messages(line_.size() - 1, (volume(from.extents) - own) * sizeof(T));
     copy_parts(from, [](const T* cell, T* packed, int n) { std::copy(cell, cell + n, packed); });
     check(MPI_Alltoallv(from.buffer.data(), send_counts.data(), send_starts.data(), mpi_type<T>(),
                         to.buffer.data(), receive_counts.data(), receive_starts.data(), mpi_type<T>(),
@@ -108,6 +118,7 @@ class Transfer {
   }
 
   const Communicator& line_;
+  Profile* profile_;
   Extents before_, after_;
   Axis scattered_, gathered_;
   std::vector<Range> scattered_parts_, gathered_parts_;

@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
 #include <vector>
 
 #include "solver/parallel/decomposition.hpp"
+#include "solver/parallel/line_memory.hpp"
+#include "solver/parallel/profile.hpp"
 
 /// Turns a spectrum shared in z: from planes of one z, all modes in x, to planes of one mode, all z; and
 /// back.
@@ -24,11 +29,12 @@ template <class T>
 class Transposition {
  public:
   /// So many z lie beside each other in memory: a line of the cache.
-  static constexpr int kPlanes = sizeof(T) < 64 ? 64 / sizeof(T) : 1;
+  static constexpr int kPlanes = kLineBytes / sizeof(T);
 
   /// `modes` and `z_total` are shared among the ranks of `line`; every rank has all `rows` in y.
-  Transposition(const Communicator& line, int modes, int rows, int z_total)
+  Transposition(const Communicator& line, int modes, int rows, int z_total, Profile* profile = nullptr)
       : line_(line),
+        profile_(profile),
         rows_(rows),
         rank_(static_cast<std::size_t>(line.rank())),
         modes_(shares(modes, line.size())),
@@ -50,20 +56,10 @@ class Transposition {
 
   /// `rows`: value (k, j, mode) of the block at [((k - k0) * (j1 - j0) + j - j0) * stride + mode].
   void pack(const RowBlock& b, const T* rows, std::ptrdiff_t stride) {
-    turn(
-        b,
-        [&](T* turned, std::ptrdiff_t flat, int planes, std::ptrdiff_t plane) {
-          for (int q = 0; q < planes; ++q) turned[q] = rows[flat + q * plane];
-        },
-        stride);
+    turn(b, rows, stride, [](T* turned, const T* straight) { std::memcpy(turned, straight, sizeof(T)); });
   }
   void unpack(const RowBlock& b, T* rows, std::ptrdiff_t stride) {
-    turn(
-        b,
-        [&](const T* turned, std::ptrdiff_t flat, int planes, std::ptrdiff_t plane) {
-          for (int q = 0; q < planes; ++q) rows[flat + q * plane] = turned[q];
-        },
-        stride);
+    turn(b, rows, stride, [](const T* turned, T* straight) { std::memcpy(straight, turned, sizeof(T)); });
   }
 
   void to_modes() { exchange(sent_, send_, received_, receive_); }
@@ -84,27 +80,43 @@ class Transposition {
       counts.push_back(static_cast<int>(count));
       starts.push_back(static_cast<int>(start));
     }
+    [[nodiscard]] std::size_t total() const {
+      return static_cast<std::size_t>(std::accumulate(counts.begin(), counts.end(), std::int64_t(0)));
+    }
   };
 
   [[nodiscard]] int own_z() const { return z_[rank_].size(); }
+  /// Distance between the modes of a piece that is `z` long: an odd number of lines, lest all of them share
+  /// one place of the cache.
+  [[nodiscard]] std::ptrdiff_t mode_length(int z) const {
+    const int values = whole_lines<T>(rows_ * z);
+    return values / kPlanes % 2 == 0 ? values + kPlanes : values;
+  }
   [[nodiscard]] std::size_t volume(int modes, int z) const {
-    return static_cast<std::size_t>(modes) * static_cast<std::size_t>(rows_) * static_cast<std::size_t>(z);
+    return static_cast<std::size_t>(modes) * static_cast<std::size_t>(mode_length(z));
   }
 
-  /// Pieces have the layout (mode, y, z) on both sides.
-  template <class Copy>
-  void turn(const RowBlock& b, const Copy& copy, std::ptrdiff_t stride) {
-    const std::ptrdiff_t plane = b.rows() * stride;
+  /// Pieces have the layout (mode, y, z) on both sides. Tiles of kPlanes modes and planes read and write
+  /// whole lines of the cache.
+  template <class Value, class Copy>
+  void turn(const RowBlock& b, Value* rows, std::ptrdiff_t stride, const Copy& copy) {
+    const std::ptrdiff_t plane = b.rows() * stride, length = mode_length(own_z());
+    const auto tile = [&](T* turned, Value* straight, int modes, int planes) {
+      for (int m = 0; m < modes; ++m) {
+        for (int q = 0; q < planes; ++q) copy(turned + m * length + q, straight + q * plane + m);
+      }
+    };
     for (std::size_t r = 0; r < modes_.size(); ++r) {
-      T* const piece = sent_.data() + send_.starts[r];
-      for (int mode = modes_[r].begin; mode < modes_[r].end; ++mode) {
-        T* to = piece + (std::ptrdiff_t(mode - modes_[r].begin) * rows_ + b.j0) * own_z() + b.k0;
-        std::ptrdiff_t flat = mode;
-        if (b.planes() == kPlanes) {  // a whole line of the cache at once
-          for (int j = b.j0; j < b.j1; ++j, to += own_z(), flat += stride) copy(to, flat, kPlanes, plane);
-        } else {
-          for (int j = b.j0; j < b.j1; ++j, to += own_z(), flat += stride) copy(to, flat, b.planes(), plane);
+      const Range part = modes_[r];
+      for (int j = b.j0; j < b.j1; ++j) {
+        T* turned = sent_.data() + send_.starts[r] + std::ptrdiff_t(j) * own_z() + b.k0;
+        Value* straight = rows + (j - b.j0) * stride + part.begin;
+        int left = part.size();
+        if (b.planes() == kPlanes) {
+          for (; left >= kPlanes; left -= kPlanes, turned += kPlanes * length, straight += kPlanes)
+            tile(turned, straight, kPlanes, kPlanes);
         }
+        tile(turned, straight, left, b.planes());
       }
     }
   }
@@ -114,26 +126,29 @@ class Transposition {
     for (std::size_t r = 0; r < z_.size(); ++r) {
       const int width = z_[r].size();
       T* piece = (r == rank_ ? sent_.data() + send_.starts[r] : received_.data() + receive_.starts[r]) +
-                 std::ptrdiff_t(mode) * rows_ * width;
+                 mode * mode_length(width);
       T* row = plane + z_[r].begin;
       for (int j = 0; j < rows_; ++j, piece += width, row += stride) copy_row(piece, row, width);
     }
   }
 
-  void exchange(const std::vector<T>& from, const Counts& out, std::vector<T>& to, const Counts& in) {
+  void exchange(const LineVector<T>& from, const Counts& out, LineVector<T>& to, const Counts& in) {
     if (modes_.size() == 1) return;
+    const Profile::Scope scope(profile_, Phase::kTransposition);
+    if (profile_) profile_->count_messages(line_.size() - 1, out.total() * sizeof(T));
     check(MPI_Alltoallv(from.data(), out.counts.data(), out.starts.data(), mpi_type<T>(), to.data(),
                         in.counts.data(), in.starts.data(), mpi_type<T>(), line_.get()),
           "MPI_Alltoallv");
   }
 
   const Communicator& line_;
+  Profile* profile_;
   int rows_;
   std::size_t rank_;
   std::vector<Range> modes_, z_;
   Counts send_, receive_;
-  std::vector<T> sent_;      ///< a piece for each rank, this one's own too
-  std::vector<T> received_;  ///< a piece from each other rank
+  LineVector<T> sent_;      ///< a piece for each rank, this one's own too
+  LineVector<T> received_;  ///< a piece from each other rank
 };
 
 }  // namespace softwall::parallel

@@ -11,15 +11,15 @@ PlanOwner owned(Library::Plan plan) {
 
 PlanOwner plan_rows(int n, int rows, int stride, int sign) {
   if (rows == 0) return {};
-  Aligned<Complex> sample(static_cast<std::size_t>(rows) * static_cast<std::size_t>(stride));
+  parallel::LineVector<Complex> sample(static_cast<std::size_t>(rows) * static_cast<std::size_t>(stride));
   return owned(Library::plan_rows(n, rows, stride, sample.data(), sign));
 }
 
 }  // namespace
 
 RealRowTransform::RealRowTransform(int n) {
-  Aligned<Real> row(static_cast<std::size_t>(n));
-  Aligned<Complex> coefficients(static_cast<std::size_t>(n) / 2 + 1);
+  parallel::LineVector<Real> row(static_cast<std::size_t>(n));
+  parallel::LineVector<Complex> coefficients(static_cast<std::size_t>(n) / 2 + 1);
   forward_ = owned(Library::plan_real_row(n, row.data(), coefficients.data()));
   backward_ = owned(Library::plan_real_row_back(n, coefficients.data(), row.data()));
 }

@@ -8,7 +8,9 @@
 #include "solver/grid/grid.hpp"
 #include "solver/pressure/fftw.hpp"
 
-/// Owners of FFTW plans and memory. Plans are estimated, not measured: a measured plan may differ from run to
+#include "solver/parallel/line_memory.hpp"
+
+/// Owners of FFTW plans. Plans are estimated, not measured: a measured plan may differ from run to
 /// run and with it the last bits of the result, and a restarted run must repeat an uninterrupted one bit for
 /// bit.
 namespace softwall::pressure {
@@ -16,33 +18,6 @@ namespace softwall::pressure {
 using grid::Real;
 using Complex = std::complex<Real>;
 using Library = Fftw<Real>;
-
-/// FFTW-aligned array.
-template <class T>
-class Aligned {
- public:
-  Aligned() = default;
-  explicit Aligned(std::size_t n) : size_(n), data_(static_cast<T*>(Library::allocate((n + 1) * sizeof(T)))) {
-    if (!data_) throw std::bad_alloc();
-    std::uninitialized_fill_n(data_.get(), n, T{});
-  }
-  [[nodiscard]] T* data() { return data_.get(); }
-  [[nodiscard]] std::size_t size() const { return size_; }
-
- private:
-  struct Free {
-    void operator()(T* p) const { Library::free(p); }
-  };
-  std::size_t size_ = 0;
-  std::unique_ptr<T[], Free> data_;
-};
-
-/// The next length at which every row of an array of T is aligned like the first, for FFTW's vector code.
-template <class T>
-[[nodiscard]] constexpr int padded(int n) {
-  constexpr int kLine = 64 / sizeof(T);
-  return (n + kLine - 1) / kLine * kLine;
-}
 
 struct DestroyPlan {
   void operator()(Library::Plan p) const { Library::destroy(p); }

@@ -18,15 +18,16 @@ std::ptrdiff_t rows_in_block(int stride, int rows) {
 
 }  // namespace
 
-Poisson::Poisson(const Grid& g, const parallel::Decomposition& d)
+Poisson::Poisson(const Grid& g, const parallel::Decomposition& d, parallel::Profile* profile)
     : grid_(g),
       transform_x_(g.nx_global, g.dx),
-      columns_to_x_(d.x_line(), {g.nz, g.ny, g.nx}, parallel::kY, parallel::kX, g.nx_global),
+      columns_to_x_(d.x_line(), {g.nz, g.ny, g.nx}, parallel::kY, parallel::kX, g.nx_global, profile),
       rows_(columns_to_x_.after()[parallel::kY]),
-      turn_(d.z_line(), transform_x_.modes(), rows_, g.nz_global),
-      z_to_y_(d.x_line(), {turn_.own_modes().size(), rows_, g.nz_global}, parallel::kX, parallel::kY, g.ny),
-      row_stride_(padded<Complex>(transform_x_.modes())),
-      mode_stride_(padded<Complex>(g.nz_global)),
+      turn_(d.z_line(), transform_x_.modes(), rows_, g.nz_global, profile),
+      z_to_y_(d.x_line(), {turn_.own_modes().size(), rows_, g.nz_global}, parallel::kX, parallel::kY, g.ny,
+              profile),
+      row_stride_(parallel::whole_lines<Complex>(transform_x_.modes())),
+      mode_stride_(parallel::whole_lines<Complex>(g.nz_global)),
       transform_z_(g.nz_global, rows_, mode_stride_),
       tridiagonals_(g, 2 * static_cast<std::size_t>(g.nz_global)),
       row_(static_cast<std::size_t>(g.nx_global)),

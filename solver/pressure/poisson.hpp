@@ -30,7 +30,8 @@ using grid::Grid;
 
 class Poisson {
  public:
-  Poisson(const Grid& grid, const parallel::Decomposition& decomposition);
+  Poisson(const Grid& grid, const parallel::Decomposition& decomposition,
+          parallel::Profile* profile = nullptr);
 
   /// Writes, or reads, the nx numbers of row (j, k).
   using GiveRow = std::function<void(int j, int k, Real* row)>;
@@ -66,11 +67,11 @@ class Poisson {
   std::vector<Real> kappa2_x_;           ///< of this rank's modes in x
   std::vector<Real> kappa2_z_;           ///< of this rank's modes in z, each twice: real and imaginary part
   bool holds_mean_ = false;              ///< this rank has the mode kx = kz = 0
-  Aligned<Real> row_;                    ///< one row of cells
-  Aligned<Complex> block_;               ///< coefficients in x of a few rows
-  Aligned<Complex> plane_;               ///< one mode in x: coefficients in z of all rows
-  std::vector<Real> columns_, x_whole_;  ///< px > 1
-  std::vector<Complex> z_whole_, y_whole_;  ///< px > 1
+  parallel::LineVector<Real> row_;       ///< one row of cells
+  parallel::LineVector<Complex> block_;  ///< coefficients in x of a few rows
+  parallel::LineVector<Complex> plane_;  ///< one mode in x: coefficients in z of all rows
+  parallel::LineVector<Real> columns_, x_whole_;     ///< px > 1
+  parallel::LineVector<Complex> z_whole_, y_whole_;  ///< px > 1
 };
 
 }  // namespace softwall::pressure

@@ -9,8 +9,13 @@
 
 namespace softwall::pressure {
 
-Projection::Projection(const Grid& grid, const parallel::Decomposition& decomposition, grid::Halo& halo)
-    : grid_(grid), halo_(halo), poisson_(grid, decomposition), psi_(grid, 1) {}
+Projection::Projection(const Grid& grid, const parallel::Decomposition& decomposition, grid::Halo& halo,
+                       parallel::Profile* profile)
+    : grid_(grid),
+      halo_(halo),
+      profile_(profile),
+      poisson_(grid, decomposition, profile),
+      psi_(grid, 1, grid::Memory::kWhole) {}
 
 void Projection::project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, double dt) {
   const double duration = 2 * stage.alpha * dt;
@@ -20,6 +25,7 @@ void Projection::project(grid::VectorField& velocity, grid::Field& pressure, con
 
 /// The divergence of a cell needs the velocity on its high faces; the wall-normal one is whole on every rank.
 void Projection::find_psi(grid::VectorField& velocity, double duration) {
+  const parallel::Profile::Scope scope(profile_, parallel::Phase::kPoisson);
   const auto& g = grid_;
   halo_.fill_side(grid::Side::kHighX, {&velocity.x}, {0, g.ny});
   halo_.fill_side(grid::Side::kHighZ, {&velocity.z}, {0, g.ny});
@@ -43,6 +49,7 @@ void Projection::find_psi(grid::VectorField& velocity, double duration) {
 /// One sweep. Gradients look to lower cells only, and so does the next predictor's of the pressure: its ghost
 /// cells there are renewed with what its neighbour adds, all others are left alone.
 void Projection::correct(grid::VectorField& velocity, grid::Field& pressure, double duration) {
+  const parallel::Profile::Scope scope(profile_, parallel::Phase::kCorrection);
   const auto& g = grid_;
   const auto u = velocity.x.view(), v = velocity.y.view(), w = velocity.z.view(), p = pressure.view();
   const auto psi = std::as_const(psi_).view();

@@ -10,7 +10,8 @@ namespace softwall::pressure {
 
 class Projection {
  public:
-  Projection(const Grid& grid, const parallel::Decomposition& decomposition, grid::Halo& halo);
+  Projection(const Grid& grid, const parallel::Decomposition& decomposition, grid::Halo& halo,
+             parallel::Profile* profile = nullptr);
 
   /// On entry the wall-normal velocity stands on the walls (rows 0 and ny), no other ghost cell matters. On
   /// return the interior is divergence-free; the velocity's ghost cells are stale, those of the pressure that
@@ -23,6 +24,7 @@ class Projection {
 
   const Grid& grid_;
   grid::Halo& halo_;
+  parallel::Profile* profile_;
   Poisson poisson_;
   grid::Field psi_;
 };

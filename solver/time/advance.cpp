@@ -5,6 +5,8 @@
 
 namespace softwall::time {
 
+using parallel::Phase;
+
 namespace {
 
 SolidInput solid_input(const State& s, const Setup& setup) {
@@ -23,15 +25,18 @@ namespace {
 
 /// The substeps of a closed box: no driving; a prescribed velocity only carries the solid.
 void advance_closed_box(State& s, Setup& setup, double dt) {
+  auto& profile = setup.profile;
   auto& viscosity = setup.implicit_viscosity;
   for (const Stage& stage : kRungeKutta3) {
     if (setup.solid) setup.solid->transport(s.material, s.velocity, stage, dt);
     if (setup.velocity_prescribed) continue;
-    if (viscosity) viscosity->keep(s.velocity, stage, dt);
-    setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);
-    if (viscosity) viscosity->apply(s.velocity, stage, dt);
+    profile.time(Phase::kMomentum, [&] {
+      if (viscosity) viscosity->keep(s.velocity, stage, dt);
+      setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);
+      if (viscosity) viscosity->apply(s.velocity, stage, dt);
+    });
     fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
-    setup.box_projection->project(s.velocity, s.pressure, stage, dt);
+    profile.time(Phase::kPoisson, [&] { setup.box_projection->project(s.velocity, s.pressure, stage, dt); });
     fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
     fluid::fill_ghosts(s.pressure, setup.halo);
   }
@@ -39,16 +44,23 @@ void advance_closed_box(State& s, Setup& setup, double dt) {
 
 /// The substeps of a channel; returns the sum of what drives it. Equation numbers refer to solver/README.md.
 double advance_channel(State& s, Setup& setup, double dt) {
+  auto& profile = setup.profile;
   double driven = 0;
   for (const Stage& stage : kRungeKutta3) {
-    if (setup.solid) setup.solid->transport(s.material, s.velocity, stage, dt);         // phi, B     (6)-(7)
-    setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);  // u*         (8)
-    setup.projection->project(s.velocity, s.pressure, stage, dt);                       // u, p       (9)-(11)
-    if (setup.bulk_velocity) {                                                          // flow rate  (12)
-      driven += fluid::hold_flow_rate(s.velocity, solid_input(s, setup), *setup.bulk_velocity, setup.grid,
-                                      setup.decomposition);
-    }
-    fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
+    profile.time(Phase::kTransport, [&] {  // phi, B (6)-(7)
+      if (setup.solid) setup.solid->transport(s.material, s.velocity, stage, dt);
+    });
+    profile.time(Phase::kMomentum, [&] {  // u* (8)
+      setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);
+    });
+    setup.projection->project(s.velocity, s.pressure, stage, dt);  // u, p (9)-(11)
+    profile.time(Phase::kCorrection, [&] {                         // flow rate (12)
+      if (setup.bulk_velocity) {
+        driven += fluid::hold_flow_rate(s.velocity, solid_input(s, setup), *setup.bulk_velocity, setup.grid,
+                                        setup.decomposition);
+      }
+    });
+    profile.time(Phase::kHalo, [&] { fluid::fill_ghosts(s.velocity, setup.walls, setup.halo); });
   }
   return driven;
 }
@@ -69,6 +81,7 @@ void advance(State& s, Setup& setup, double dt) {
 }
 
 TimeStep choose_time_step(const State& s, const Setup& setup) {
+  const parallel::Profile::Scope scope(&setup.profile, Phase::kTimeStep);
   const auto& spec = setup.physics.time_step;
   if (spec.fixed_dt) return {*spec.fixed_dt, "fixed"};
   TimeStep step{fluid::convection_limit(s.velocity, setup.grid, setup.decomposition), "convection"};

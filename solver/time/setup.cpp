@@ -26,12 +26,12 @@ Setup::Setup(const Physics& p, MPI_Comm comm, std::optional<parallel::Layout> la
       walls(moving_walls(p, grid)),
       bulk_velocity(driven_at(p)),
       velocity_prescribed(p.flow == FlowType::kRotation),
-      halo(decomposition, grid.walls_in_x),
+      halo(decomposition, grid.walls_in_x, &profile),
       predictor(grid, is_implicit(p) ? 0 : viscosity) {
   if (is_closed_box(p.flow)) {
     box_projection.emplace(grid, decomposition, halo);
   } else {
-    projection.emplace(grid, decomposition, halo);
+    projection.emplace(grid, decomposition, halo, &profile);
   }
   if (is_implicit(p)) implicit_viscosity.emplace(grid, decomposition, viscosity);
   if (p.solid) solid.emplace(*p.solid, grid, decomposition, halo);

@@ -6,6 +6,7 @@
 #include "solver/fluid/predictor.hpp"
 #include "solver/fluid/walls.hpp"
 #include "solver/grid/halo.hpp"
+#include "solver/parallel/profile.hpp"
 #include "solver/pressure/box_projection.hpp"
 #include "solver/pressure/projection.hpp"
 #include "solver/solid/solid.hpp"
@@ -25,6 +26,7 @@ class Setup {
 
   const Physics physics;
   const parallel::Decomposition decomposition;
+  mutable parallel::Profile profile;  ///< of no effect on any result
   const grid::Grid grid;
   const double viscosity;  ///< 1 / Re
   fluid::Walls walls;

@@ -32,8 +32,8 @@ std::vector<NamedField> fields_of(State& s) {
 
 State state_at_rest(const grid::Grid& grid, bool elastic) {
   State s;
-  s.velocity = grid::VectorField(grid, 1);
-  s.pressure = grid::Field(grid, 1);
+  s.velocity = grid::VectorField(grid, 1, grid::Memory::kWhole);
+  s.pressure = grid::Field(grid, 1, grid::Memory::kWhole);
   s.elastic = elastic;
   if (elastic) s.material = solid::flat_layer(grid);
   return s;

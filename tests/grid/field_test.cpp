@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <set>
 
 #include "tests/support/domain.hpp"
@@ -43,7 +44,19 @@ TEST(Field, EveryCellHasItsOwnPlaceXFastest) {
     }
     const int h = 2 * ghost;
     EXPECT_EQ(places.size(), static_cast<std::size_t>((5 + h) * (4 + h) * (3 + h)));
-    EXPECT_EQ(*places.rbegin() - *places.begin() + 1, (5 + h) * (4 + h) * (3 + h));  // dense: no gaps
+  }
+}
+
+TEST(Field, RowsBeginLinesOfTheCacheAndDoNotCrowdIt) {
+  for (const int nx : {5, 62, 64, 126, 128}) {
+    for (const int ghost : {0, 1, 3}) {
+      Field f(small_grid(nx, 3, 2), ghost);
+      for (int k = -ghost; k < 2 + ghost; ++k) {
+        for (int j = -ghost; j < 3 + ghost; ++j)
+          ASSERT_EQ(reinterpret_cast<std::uintptr_t>(&f.view()(0, j, k)) % 64, 0) << nx << ", " << ghost;
+      }
+      EXPECT_NE(f.view().stride_y * sizeof(Real) % 512, 0) << nx << ", " << ghost;
+    }
   }
 }
 
