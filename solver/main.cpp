@@ -16,6 +16,7 @@ softwall::RunOptions parse(CLI::App& app, int argc, char** argv) {
       ->check(CLI::NonNegativeNumber);
   app.add_option("--wall-seconds", options.wall_seconds, "stop in order before so many seconds have passed")
       ->check(CLI::NonNegativeNumber);
+  app.add_flag("--profile", options.profile, "say at the end where the time went and what was sent");
   app.parse(argc, argv);
   return options;
 }

@@ -9,6 +9,7 @@
 #include "solver/output/agree.hpp"
 #include "solver/output/checkpoint_reader.hpp"
 #include "solver/output/checkpoint_writer.hpp"
+#include "solver/output/profile_table.hpp"
 #include "solver/output/regrid.hpp"
 #include "solver/output/remembered_layout.hpp"
 #include "solver/output/runaway.hpp"
@@ -25,6 +26,7 @@ namespace softwall {
 using output::agree;
 using output::agree_on_root;
 using output::AgreedError;
+using parallel::Phase;
 
 Simulation::Simulation(const Case& definition, const RunOptions& options, const parallel::Communicator& world)
     : case_(definition),
@@ -77,6 +79,7 @@ void Simulation::resume(const output::FoundCheckpoint& found) {
 }
 
 ExitCode Simulation::run() {
+  setup_.profile.reset();
   last_step_ = time::choose_time_step(state_, setup_);
   write_status();
   if (state_.step == 0 && case_.run.field_interval > 0 && is_closed_box(case_.physics.flow)) {
@@ -106,13 +109,14 @@ void Simulation::step() {
                                                std::to_string(last_step_.dt));
   }
   time::advance(state_, setup_, last_step_.dt);
-  statistics_.sample_step(state_, last_step_.dt);
+  setup_.profile.time(Phase::kStatistics, [&] { statistics_.sample_step(state_, last_step_.dt); });
   pace_.end_step();
   if (status_timer_.due()) write_status();
 }
 
 /// Clocks differ between ranks, and a signal may have reached some only: the largest of each wish counts.
 Simulation::Decision Simulation::decide() {
+  const parallel::Profile::Scope scope(&setup_.profile, Phase::kTimeStep);
   const bool root = world_.rank() == 0;
   const auto& run = case_.run;
   const bool by_steps = run.checkpoint_steps > 0 && state_.step % run.checkpoint_steps == 0;
@@ -135,6 +139,7 @@ bool Simulation::time_is_up() const {
 
 void Simulation::checkpoint() {
   if (checkpoint_step_ == state_.step) return;
+  const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   const auto begin = output::Clock::now();
   output::RunRecord now = record_;
   now.statistics = statistics_.pack();
@@ -150,10 +155,12 @@ void Simulation::checkpoint() {
 void Simulation::snapshot(double time_before) {
   const double interval = case_.run.field_interval;
   if (interval <= 0 || std::floor(state_.time / interval) == std::floor(time_before / interval)) return;
+  const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   output::write_snapshot(options_.files, state_, setup_);
 }
 
 void Simulation::write_results() {
+  const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   checkpoint();
   agree_on_root(world_, ExitCode::kFailed, [&] {
     auto blocks = statistics_.blocks();
@@ -176,6 +183,10 @@ ExitCode Simulation::finish(const Decision& last) {
        << state_.time << " of " << case_.run.end_time << "; " << pace_.steps() << " steps, "
        << pace_.ns_per_cell_step(setup_.grid.cells()) << " ns per cell and step";
   say(line.str());
+  if (options_.profile) {
+    const auto records = output::gather_profile(setup_.profile, world_);
+    say(output::profile_table(records, pace_.steps(), setup_.grid.cells(), world_.size()));
+  }
   return code;
 }
 
@@ -195,6 +206,7 @@ double re_tau(const time::State& state, const time::Setup& setup) {
 }  // namespace
 
 void Simulation::report() {
+  const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   report_timer_.reset();
   const double friction = re_tau(state_, setup_);
   const double divergence =
@@ -211,6 +223,7 @@ void Simulation::report() {
 
 /// A full disk must not end a run before a checkpoint fails: a status is only a hint.
 void Simulation::write_status() {
+  const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   status_timer_.reset();
   if (world_.rank() != 0) return;
   const std::string limit = last_step_.limit;

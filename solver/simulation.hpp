@@ -20,6 +20,7 @@ struct RunOptions {
   RunFiles files;
   int attempt = 0;
   double wall_seconds = 0;  ///< stop in order before so much time has passed; 0: no limit
+  bool profile = false;     ///< say at the end where the time went
   output::Clock::time_point started = output::Clock::now();
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,11 @@ inline void sum(const Communicator& comm, std::span<double> values) {
   const int ranks = comm.size();
   if (ranks == 1) return;
   const auto n = static_cast<int>(values.size());
-  std::vector<double> parts(values.size() * static_cast<std::size_t>(ranks));
+  std::array<double, 512> room{};  // reductions of a time step are small and need no allocation
+  std::vector<double> more;
+  const std::size_t count = values.size() * static_cast<std::size_t>(ranks);
+  if (count > room.size()) more.resize(count);
+  const std::span parts(count > room.size() ? more.data() : room.data(), count);
   check(MPI_Allgather(values.data(), n, MPI_DOUBLE, parts.data(), n, MPI_DOUBLE, comm.get()),
         "MPI_Allgather");
   std::fill(values.begin(), values.end(), 0.0);

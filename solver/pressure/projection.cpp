@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "solver/grid/cell_loop.hpp"
@@ -35,13 +36,13 @@ void Projection::find_psi(grid::VectorField& velocity, double duration) {
   const Real* const inv_dy = g.inv_dy.data();
   const auto psi = psi_.view();
   const int nx = g.nx;
-  poisson_.solve(
-      [=](int j, int k, Real* row) {
+  const auto give_divergence = [=](int j, int k, Real* row) {
 #pragma omp simd
-        for (int i = 0; i < nx; ++i)
-          row[i] = inv_duration * divergence(u, v, w, inv_dx, inv_dy[j], inv_dz, i, j, k);
-      },
-      [=](int j, int k, const Real* row) { std::copy(row, row + nx, &psi(0, j, k)); });
+    for (int i = 0; i < nx; ++i)
+      row[i] = inv_duration * divergence(u, v, w, inv_dx, inv_dy[j], inv_dz, i, j, k);
+  };
+  const auto take_psi = [=](int j, int k, const Real* row) { std::copy(row, row + nx, &psi(0, j, k)); };
+  poisson_.solve(std::cref(give_divergence), std::cref(take_psi));  // by reference: no copy, no allocation
   halo_.fill_side(grid::Side::kLowX, {&psi_}, {0, g.ny});
   halo_.fill_side(grid::Side::kLowZ, {&psi_}, {0, g.ny});
 }

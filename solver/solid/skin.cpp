@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <utility>
-#include <vector>
 
 #include "solver/solid/fraction.hpp"
 #include "solver/solid/limiter.hpp"
@@ -17,25 +16,29 @@ namespace {
 template <std::size_t kCount, class FractionAt, class RowDone>
 void extend(const std::array<grid::Field*, kCount>& components, const FractionAt& fraction, Real threshold,
             int top_row, const grid::Box& box, const RowDone& row_done) {
-  std::vector<Real> lowest(static_cast<std::size_t>(box.i1 - box.i0));  // fraction met in each column so far
-  Real* const low = lowest.data() - static_cast<std::ptrdiff_t>(box.i0);
+  constexpr int kTogether = 256;       // columns side by side
+  std::array<Real, kTogether> lowest;  // fraction met in each column so far
   for (int k = box.k0; k < box.k1; ++k) {
-    std::fill(lowest.begin(), lowest.end(), Real(1));
-    for (int j = top_row; j >= box.j0; --j) {
+    for (int i0 = box.i0; i0 < box.i1; i0 += kTogether) {
+      const int i1 = std::min(i0 + kTogether, box.i1);
+      lowest.fill(1);
+      for (int j = top_row; j >= box.j0; --j) {
 #pragma omp simd
-      for (int i = box.i0; i < box.i1; ++i) {
-        const Real here = fraction(i, j, k);
-        low[i] = here < low[i] ? here : low[i];
-      }
-      for (grid::Field* component : components) {
-        const auto b = component->view();
-#pragma omp simd
-        for (int i = box.i0; i < box.i1; ++i) {
-          const Real own = b(i, j, k), above = b(i, j + 1, k);
-          b(i, j, k) = low[i] < threshold ? above : own;
+        for (int i = i0; i < i1; ++i) {
+          Real& low = lowest[static_cast<std::size_t>(i - i0)];
+          const Real here = fraction(i, j, k);
+          low = here < low ? here : low;
         }
+        for (grid::Field* component : components) {
+          const auto b = component->view();
+#pragma omp simd
+          for (int i = i0; i < i1; ++i) {
+            const Real own = b(i, j, k), above = b(i, j + 1, k);
+            b(i, j, k) = lowest[static_cast<std::size_t>(i - i0)] < threshold ? above : own;
+          }
+        }
+        row_done(grid::Box{i0, i1, j, j + 1, k, k + 1});
       }
-      row_done(grid::Box{box.i0, box.i1, j, j + 1, k, k + 1});
     }
   }
 }

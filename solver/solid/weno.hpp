@@ -28,11 +28,12 @@ inline Real weno5(Real q0, Real q1, Real q2, Real q3, Real q4) {
     a1 = Real(0.6) * s0 * s2;
     a2 = Real(0.3) * s0 * s1;
   } else {
-    // a_r = d_r (1 + (tau / (tiny + b_r))^2), tau = |b0 - b2|.
-    const Real tau2 = square(b0 - b2);
-    a0 = Real(0.1) * (1 + tau2 / square(kTiny + b0));
-    a1 = Real(0.6) * (1 + tau2 / square(kTiny + b1));
-    a2 = Real(0.3) * (1 + tau2 / square(kTiny + b2));
+    // a_r = d_r (1 + (tau / c_r)^2), tau = |b0 - b2|, c_r = tiny + b_r; one division serves the three.
+    const Real c0 = kTiny + b0, c1 = kTiny + b1, c2 = kTiny + b2;
+    const Real scale = (b0 - b2) / (c0 * c1 * c2);
+    a0 = Real(0.1) * (1 + square(scale * (c1 * c2)));
+    a1 = Real(0.6) * (1 + square(scale * (c0 * c2)));
+    a2 = Real(0.3) * (1 + square(scale * (c0 * c1)));
   }
   const Real p0 = 2 * q0 - 7 * q1 + 11 * q2, p1 = -q1 + 5 * q2 + 2 * q3, p2 = 2 * q2 + 5 * q3 - q4;
   return (a0 * p0 + a1 * p1 + a2 * p2) / (6 * (a0 + a1 + a2));
