@@ -24,6 +24,11 @@ double convection_limit(const grid::VectorField& velocity, const Grid& g,
   return rate > 0 ? std::numbers::sqrt3 / rate : std::numeric_limits<double>::infinity();
 }
 
+double moving_wall_limit(const Walls& walls, const Grid& g) {
+  const double fastest = std::max(std::abs(walls.bottom_u), std::abs(walls.top_u));
+  return fastest > 0 ? std::numbers::sqrt3 * g.dx / fastest : std::numeric_limits<double>::infinity();
+}
+
 double viscosity_limit(double viscosity, const SolidInput& solid, const Grid& g) {
   constexpr double kRealAxis = 2.51;
   double limit = std::numeric_limits<double>::infinity();

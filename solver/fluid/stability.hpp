@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/fluid/predictor.hpp"
+#include "solver/fluid/walls.hpp"
 #include "solver/parallel/decomposition.hpp"
 
 /// Largest stable time steps of convection and viscosity for the three-substep Runge-Kutta scheme with
@@ -11,6 +12,10 @@ namespace softwall::fluid {
 /// sqrt(3) / max(|u|/dx + |v|/dy + |w|/dz); infinite for a fluid at rest.
 [[nodiscard]] double convection_limit(const grid::VectorField& velocity, const Grid& grid,
                                       const parallel::Decomposition& decomposition);
+
+/// The same limit for the fluid that a moving wall will set in motion, sqrt(3) dx / |u_wall|: a flow at rest
+/// has no other. Infinite when the walls are at rest.
+[[nodiscard]] double moving_wall_limit(const Walls& walls, const Grid& grid);
 
 /// 2.51 / (4 nu_max (1/dx^2 + 1/dy^2 + 1/dz^2)), the smallest over the rows; the solid's viscosity counts
 /// from its first row on.

@@ -89,6 +89,7 @@ TimeStep choose_time_step(const State& s, const Setup& setup) {
     if (limit < step.dt) step = {limit, name};
   };
   if (!setup.velocity_prescribed) {
+    restrict_to(fluid::moving_wall_limit(setup.walls, setup.grid), "convection");
     if (!setup.implicit_viscosity)
       restrict_to(fluid::viscosity_limit(setup.viscosity, solid_input(s, setup), setup.grid), "viscosity");
     if (setup.solid) restrict_to(setup.solid->elastic_limit(s.material), "elastic");

@@ -42,7 +42,7 @@ TEST(Disc, LosesItsSlot) {
 
 TEST(Disc, CellsAreWholeInsideEmptyOutsideAndHalvedByASlotsEdge) {
   const DiscSpec disc{.x = 0.5, .y = 0.5, .radius = 0.3, .slot_width = 0.1, .slot_depth = 0.3};
-  EXPECT_EQ(disc_fraction(disc, 0.5, 0.6, 0.01, 0.01), 1);
+  EXPECT_NEAR(disc_fraction(disc, 0.5, 0.6, 0.01, 0.01), 1, 1e-13);
   EXPECT_EQ(disc_fraction(disc, 0.9, 0.9, 0.01, 0.01), 0);
   EXPECT_EQ(disc_fraction(disc, 0.5, 0.4, 0.01, 0.01), 0);
   EXPECT_NEAR(disc_fraction(disc, 0.545, 0.4, 0.01, 0.01), 0.5, 1e-12);

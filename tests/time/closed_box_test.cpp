@@ -123,6 +123,8 @@ TEST(ClosedBox, ImplicitViscosityDoesNotLimitTheStep) {
   State a = closed_box_at_start(explicitly), b = closed_box_at_start(implicitly);
   EXPECT_STREQ(choose_time_step(a, explicitly).limit, "viscosity");
   EXPECT_STREQ(choose_time_step(b, implicitly).limit, "convection");
+  EXPECT_NEAR(choose_time_step(b, implicitly).dt, 0.8 * std::sqrt(3) / 64, 1e-12)
+      << "of the lid: all is at rest";
 }
 
 }  // namespace
