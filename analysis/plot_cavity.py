@@ -37,6 +37,7 @@ def main():
     left.legend(fontsize=8)
     right.set(xlabel="difference from the table", ylabel="$y$")
     right.axvline(0, color="red", linewidth=0.6)
+    right.locator_params(axis="x", nbins=5)
     save(figure, options, __file__, "Steady state from rest; Crank-Nicolson viscosity.")
 
 

@@ -64,7 +64,7 @@ def main():
     options = arguments(__doc__)
     table = read_reference("cavity_disc_sugiyama_centroid_path.csv")
     reference = np.column_stack([table["x"], table["y"]])
-    cases = [case for case in read_box_campaign(options.campaign, "cavity") if case.series]
+    cases = [case for case in read_box_campaign(options.campaign, "cavity") if case.t.size and case.t[-1] > TIMES[-1]]
     figure = plt.figure(figsize=(13, 5.2), layout="constrained")
     grid = figure.add_gridspec(2, 5)
     shapes = [figure.add_subplot(grid[n // 3, n % 3]) for n in range(len(TIMES))]
@@ -77,8 +77,8 @@ def main():
     for time, panel in zip(TIMES, shapes):
         panel.set(title=f"$t = {time}$", xlim=(0, 1), ylim=(0, 1), aspect="equal", xticks=[0, 1], yticks=[0, 1])
     path_panel.plot(*reference.T, "ro", markersize=3, markerfacecolor="none", label="Sugiyama et al. (2011)")
-    path_panel.set(xlabel="$x$", ylabel="$y$", aspect="equal", title="path of the centroid")
-    path_panel.legend(fontsize=8)
+    path_panel.set(xlabel="$x$", ylabel="$y$", aspect="equal", title="path of the centroid", ylim=(0.4, 0.9))
+    path_panel.legend(fontsize=8, loc="lower left")
     save(figure, options, __file__, "Lines phi = 1/2; Re = 100, G = 0.1, equal viscosities and densities.")
 
 

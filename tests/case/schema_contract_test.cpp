@@ -67,6 +67,7 @@ TEST(SchemaContract, PhysicsIsIdentityMemberByMember) {
       const Pointer place(pointer);
       if (!full.contains(place)) continue;
       const json* node = case_schema().part(place);
+      if (node->contains("default") && full.at(place) == node->at("default")) continue;
       json without = full;
       without.at(place.parent_pointer()).erase(place.back());
       if (!tests::complaint_about(without).empty()) {
