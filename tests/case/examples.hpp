@@ -27,18 +27,17 @@ inline nlohmann::json elastic_document() {
     "run": {"end_time": 10}})");
 }
 
-/// Every member of a channel written, none with its default but those that only a closed box may change.
+/// Every member of a channel written, none with its default.
 inline nlohmann::json full_document() {
   return nlohmann::json::parse(R"({
     "format": 1, "label": "full",
     "physics": {
       "flow": "elastic_wall", "reynolds": 3000.5,
-      "domain": {"length_x": 7, "length_z": 2.5, "layer_height": 0.75, "height": 2},
+      "domain": {"length_x": 7, "length_z": 2.5, "layer_height": 0.75},
       "grid": {"nx": 33, "ny_fluid": 32, "ny_solid": 20, "nz": 17, "stretching": 1.25},
       "precision": "single",
-      "solid": {"G": 0.3, "viscosity_ratio": 0.1, "weno": "js", "threshold": 0.7, "extension": "column",
-                "min_eigenvalue": 0.001},
-      "time_step": {"fixed_dt": 0.001, "safety": 0.5, "viscosity": "explicit"},
+      "solid": {"G": 0.3, "viscosity_ratio": 0.1, "weno": "js", "threshold": 0.7, "min_eigenvalue": 0.001},
+      "time_step": {"fixed_dt": 0.001, "safety": 0.5},
       "initial": {"type": "precursor", "amplitude": 0.2, "seed": 7, "precursor": "0123456789abcdef",
                   "precursor_time": 12.5},
       "statistics": {"start_time": 2, "interval_steps": 3, "block_length": 0.25}},
