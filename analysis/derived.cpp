@@ -176,7 +176,7 @@ void refuse(const BlockStatistics& s, const std::vector<double>& weights) {
   }
 }
 
-/// A closed box leaves series only.
+/// A closed box leaves series only, and none of a wall.
 DerivedQuantities not_a_channel(const BlockStatistics& s, const std::vector<double>& weights) {
   DerivedQuantities derived;
   describe_window(s, weights, derived);
@@ -189,7 +189,7 @@ DerivedQuantities not_a_channel(const BlockStatistics& s, const std::vector<doub
 DerivedQuantities derive(const BlockStatistics& s, const DeriveOptions& options) {
   const std::vector<double> weights = window_weights(s, options);
   refuse(s, weights);
-  if (s.profiles.empty()) return not_a_channel(s, weights);
+  if (s.profiles.empty() && !s.series.contains("wall_shear_bottom")) return not_a_channel(s, weights);
   const Estimate whole = estimate(s, weights, options.log_law);
   const std::vector<Interval> intervals = jackknife(weights, [&](const std::vector<double>& kept) {
     const auto values = estimate(s, kept, options.log_law).values;

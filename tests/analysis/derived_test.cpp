@@ -187,6 +187,8 @@ TEST(Derived, CoarseGridHasNoLogLawAndSaysSo) {
 TEST(Derived, AClosedBoxHasAWindowAndNoFriction) {
   BlockStatistics s = samples::elastic_statistics({}, 10);
   s.profiles.clear();
+  s.series = {{"kinetic_energy", std::vector<double>(10, 0.01)}};
+  s.meanings["kinetic_energy"] = {"rho U_b^2 h^2", "of the box, per depth"};
   const DerivedQuantities q = derive(s);
   EXPECT_EQ(q.blocks, 10);
   EXPECT_TRUE(std::isnan(q.re_tau.value));
