@@ -10,7 +10,8 @@ namespace softwall::pressure {
 BoxProjection::BoxProjection(const Grid& grid, const parallel::Decomposition& decomposition, grid::Halo& halo)
     : grid_(grid), halo_(halo), solver_(grid, decomposition, BoxQuantity::kPressure), psi_(grid, 1) {}
 
-void BoxProjection::project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, double dt) {
+void BoxProjection::project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage,
+                            double dt) {
   const auto& g = grid_;
   const Real duration = static_cast<Real>(2 * stage.alpha * dt), inv_dx = static_cast<Real>(1 / g.dx),
              inv_dz = static_cast<Real>(1 / g.dz);
