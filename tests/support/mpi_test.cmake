@@ -5,8 +5,10 @@ include_guard(GLOBAL)
 
 add_library(softwall_test_support STATIC ${CMAKE_CURRENT_LIST_DIR}/mpi_main.cpp)
 target_link_libraries(softwall_test_support PUBLIC softwall_solver GTest::gtest)
-add_library(softwall_test_support_single STATIC ${CMAKE_CURRENT_LIST_DIR}/mpi_main.cpp)
-target_link_libraries(softwall_test_support_single PUBLIC softwall_solver_single GTest::gtest)
+if(TARGET softwall_solver_single)
+  add_library(softwall_test_support_single STATIC ${CMAKE_CURRENT_LIST_DIR}/mpi_main.cpp)
+  target_link_libraries(softwall_test_support_single PUBLIC softwall_solver_single GTest::gtest)
+endif()
 
 function(softwall_add_mpi_test)
   cmake_parse_arguments(TEST "SINGLE" "NAME" "SOURCES;RANKS" ${ARGN})
