@@ -77,7 +77,7 @@ Body body_of(const grid::Field& field, const Grid& g, const parallel::Decomposit
 BoxEnergy energy_of(const time::State& s, const time::Setup& setup) {
   const auto& g = setup.grid;
   const auto u = s.velocity.x.view(), v = s.velocity.y.view();
-  const auto* dy = g.dy.data();
+  const double* dy = g.dy.exact();
   const auto box = grid::all_cells(g);
   std::array<double, 2> energy{};
   energy[0] = grid::sum_cells(box, [=](int i, int j, int k) {

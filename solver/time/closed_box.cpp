@@ -14,7 +14,7 @@ namespace {
 void rotate(grid::VectorField& velocity, const grid::Grid& g) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const auto u = velocity.x.view(), v = velocity.y.view();
-  const auto* y = g.y_center.data();
+  const double* y = g.y_center.exact();
   grid::for_each_cell(grid::all_cells(g), [=, &g](int i, int j, int k) {
     u(i, j, k) = -kTurn * (y[j] - g.height / 2);
     v(i, j, k) = kTurn * ((g.x_begin + i + 0.5) * g.dx - g.length_x / 2);
