@@ -1,23 +1,18 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
-#include <optional>
+#include <memory>
 
 #include "solver/case/case.hpp"
 #include "solver/grid/halo.hpp"
 #include "solver/grid/solid_input.hpp"
 #include "solver/grid/stage.hpp"
-#include "solver/solid/advection.hpp"
+#include "solver/solid/formulation.hpp"
 #include "solver/solid/material.hpp"
-#include "solver/solid/normal_extension.hpp"
-#include "solver/solid/solid_edges.hpp"
 
 /// The border between the solid and the rest of the solver: velocity and stage in, solid fraction and elastic
-/// force out. Behind it stands the paper's formulation, transport of phi and B, equations (6)-(7):
-///   phi^k = phi^{k-1} - dt [ beta div(u phi)^{k-1} + gamma div(u phi)^{k-2} ]
-///   B^k   = B^{k-1} + dt [ beta (S - div(u B))^{k-1} + gamma (S - div(u B))^{k-2} ]
-/// in the band of rows that hold solid. A second formulation needs to offer the same members.
+/// force out. Behind it stands a formulation (formulation.hpp), which moves the material; what phi and B then
+/// do to the flow is the same for all, in the band of rows that hold solid.
 namespace softwall::solid {
 
 class Solid {
@@ -32,7 +27,7 @@ class Solid {
   /// Lets the band of rows follow the solid; to be called once at the end of a step.
   void renew_band(Material& material);
 
-  /// Advances phi and B through one substep with the velocity at its beginning (ghost cells filled).
+  /// Advances the material through one substep with the velocity at its beginning (ghost cells filled).
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt);
 
   /// phi and the elastic force f^k + f^{k-1} for the predictor.
@@ -42,34 +37,21 @@ class Solid {
   /// omega^2 = 4 G phi sum_ij |B_ij| / (d_i d_j) the stiffest two-cell mode of a cell.
   [[nodiscard]] double elastic_limit(const Material& material) const;
 
-  /// Cells that the limiter has touched on this rank, summed over substeps, since the start of the program.
-  [[nodiscard]] std::int64_t limited_cells() const { return limited_cells_; }
+  /// Cells in which B was changed to keep it positive definite, on this rank, summed over substeps, since the
+  /// start of the program.
+  [[nodiscard]] std::int64_t limited_cells() const { return formulation_->limited_cells(); }
   [[nodiscard]] int first_row() const { return first_row_; }
 
  private:
-  struct Rates {
-    grid::Field phi;
-    grid::TensorField B;
-  };
-  void find_rates(const Material& material, const grid::VectorField& velocity);
-  void update(Material& material, const Stage& stage, double dt);
-  void make_consistent(Material& material);
-  void surround(Material& material);
-  void fill_beyond_walls(Material& material) const;
   void renew_force(const Material& material);
   [[nodiscard]] int find_first_row(const Material& material) const;
 
   SolidSpec spec_;
   const Grid& grid_;
   const parallel::Decomposition& decomposition_;
-  grid::Halo& halo_;
-  Advection advection_;
-  Rates now_, before_;
-  SolidEdges edges_;
-  std::optional<NormalExtension> normal_;  ///< present when the case asks for it
+  std::unique_ptr<Formulation> formulation_;
   grid::VectorField force_before_, force_sum_;
   int first_row_ = 0;
-  std::int64_t limited_cells_ = 0;
 };
 
 /// A flat layer at rest: phi = 1 above the undeformed interface, B = identity.

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include "solver/grid/field.hpp"
+#include "solver/grid/stage.hpp"
+#include "solver/solid/material.hpp"
+
+/// What the two formulations of the solid have to offer to solid.hpp, the border behind which they stand:
+/// each carries its own fields of the material with the flow and derives phi and B from them.
+namespace softwall::solid {
+
+class Formulation {
+ public:
+  Formulation() = default;
+  Formulation(const Formulation&) = delete;
+  Formulation& operator=(const Formulation&) = delete;
+  virtual ~Formulation() = default;
+
+  /// Lowest row that holds solid in any of this rank's columns; ny when none does. Reads the state alone: no
+  /// ghost cells, nothing derived.
+  [[nodiscard]] virtual int lowest_row(const Material& material) const = 0;
+
+  /// Fills ghost cells and derives, in rows from first_row on, what is not in the state. Done again, it
+  /// changes no bit: a restart does.
+  virtual void make_consistent(Material& material, int first_row) = 0;
+
+  /// Advances the material through one substep with the velocity at its beginning (ghost cells filled), in
+  /// rows from first_row on, and makes it consistent.
+  virtual void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
+                         int first_row) = 0;
+
+  /// Cells in which B was changed to keep it positive definite, on this rank, summed over substeps.
+  [[nodiscard]] virtual std::int64_t limited_cells() const = 0;
+};
+
+}  // namespace softwall::solid

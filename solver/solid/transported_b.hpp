@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+
+#include "solver/case/case.hpp"
+#include "solver/grid/halo.hpp"
+#include "solver/solid/advection.hpp"
+#include "solver/solid/formulation.hpp"
+#include "solver/solid/normal_extension.hpp"
+#include "solver/solid/solid_edges.hpp"
+
+/// The paper's formulation: phi and B are carried by the flow, equations (6)-(7):
+///   phi^k = phi^{k-1} - dt [ beta div(u phi)^{k-1} + gamma div(u phi)^{k-2} ]
+///   B^k   = B^{k-1} + dt [ beta (S - div(u B))^{k-1} + gamma (S - div(u B))^{k-2} ]
+namespace softwall::solid {
+
+class TransportedB : public Formulation {
+ public:
+  TransportedB(const SolidSpec& spec, const Grid& grid, const parallel::Decomposition& decomposition,
+               grid::Halo& halo);
+
+  [[nodiscard]] int lowest_row(const Material& material) const override;
+  void make_consistent(Material& material, int first_row) override;
+  void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
+                 int first_row) override;
+  /// By the limiter (limiter.hpp), since the start of the program.
+  [[nodiscard]] std::int64_t limited_cells() const override { return limited_cells_; }
+
+ private:
+  struct Rates {
+    grid::Field phi;
+    grid::TensorField B;
+  };
+  void find_rates(const Material& material, const grid::VectorField& velocity, int first_row);
+  void update(Material& material, const Stage& stage, double dt, int first_row);
+  void surround(Material& material);
+  void fill_beyond_walls(Material& material, int first_row) const;
+
+  SolidSpec spec_;
+  const Grid& grid_;
+  grid::Halo& halo_;
+  Advection advection_;
+  Rates now_, before_;
+  SolidEdges edges_;
+  std::optional<NormalExtension> normal_;  ///< present when the case asks for it
+  std::int64_t limited_cells_ = 0;
+};
+
+}  // namespace softwall::solid
