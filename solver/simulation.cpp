@@ -35,7 +35,7 @@ Simulation::Simulation(const Case& definition, const RunOptions& options, const 
       started_(utc_now()),
       setup_(definition.physics, world.get(),
              output::remembered_layout(options.files, definition.physics, world)),
-      state_(time::state_at_rest(setup_.grid, setup_.solid.has_value())),
+      state_(time::state_at_rest(setup_)),
       statistics_(setup_),
       checkpoints_(options.files, definition.id, definition.run.keep_checkpoints),
       status_timer_(1.0),

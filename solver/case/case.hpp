@@ -20,6 +20,7 @@ enum class FlowType { kRigidChannel, kElasticWall, kCavity, kRotation };
 }
 
 enum class InitialType { kPerturbedLaminar, kPrecursor };
+enum class SolidFormulation { kTransportedB, kReferenceMap };
 enum class WenoWeights { kJiangShu, kZ };
 enum class Precision { kDouble, kSingle };
 enum class Extension { kColumn, kNormal };
@@ -43,6 +44,7 @@ struct DiscSpec {
 struct SolidSpec {
   double G = 0.0;                ///< modulus of transverse elasticity / (rho U_b^2)
   double viscosity_ratio = 1.0;  ///< mu_s / mu_f
+  SolidFormulation formulation = SolidFormulation::kTransportedB;
   WenoWeights weno = WenoWeights::kJiangShu;
   double threshold = 0.0;       ///< cells with phi below it take B from the solid, as `extension` says
   double min_eigenvalue = 0.0;  ///< B is kept >= this in every cell

@@ -101,6 +101,9 @@ void check_disc(const SoundMembers& members, std::vector<Mistake>& mistakes) {
   }
   if (members.get<std::string>("/physics/solid/extension") == "column")
     mistakes.push_back({"/physics/solid/extension", "column", "must be \"normal\" with a disc"});
+  if (members.get<std::string>("/physics/solid/formulation") == "reference_map")
+    mistakes.push_back({"/physics/solid/formulation", "reference_map",
+                        "needs a layer: must be \"transported_B\" with a disc"});
 }
 
 void check_closed_box(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {

@@ -22,6 +22,8 @@ constexpr std::pair<FlowType, const char*> kFlowNames[] = {{FlowType::kRigidChan
                                                            {FlowType::kRotation, "rotation"}};
 constexpr std::pair<InitialType, const char*> kInitialNames[] = {
     {InitialType::kPerturbedLaminar, "perturbed_laminar"}, {InitialType::kPrecursor, "precursor"}};
+constexpr std::pair<SolidFormulation, const char*> kFormulationNames[] = {
+    {SolidFormulation::kTransportedB, "transported_B"}, {SolidFormulation::kReferenceMap, "reference_map"}};
 constexpr std::pair<WenoWeights, const char*> kWenoNames[] = {{WenoWeights::kJiangShu, "js"},
                                                               {WenoWeights::kZ, "z"}};
 constexpr std::pair<Extension, const char*> kExtensionNames[] = {{Extension::kColumn, "column"},
@@ -56,6 +58,7 @@ DiscSpec disc_from(const json& disc) {
 SolidSpec solid_from(const json& solid) {
   SolidSpec spec{.G = solid.at("G"),
                  .viscosity_ratio = solid.at("viscosity_ratio"),
+                 .formulation = named(solid.at("formulation"), kFormulationNames),
                  .weno = named(solid.at("weno"), kWenoNames),
                  .threshold = solid.at("threshold"),
                  .min_eigenvalue = solid.at("min_eigenvalue"),
@@ -130,6 +133,7 @@ json to_json(const DiscSpec& disc) {
 json to_json(const SolidSpec& solid) {
   json result = {{"G", solid.G},
                  {"viscosity_ratio", solid.viscosity_ratio},
+                 {"formulation", name_of(solid.formulation, kFormulationNames)},
                  {"weno", name_of(solid.weno, kWenoNames)},
                  {"threshold", solid.threshold},
                  {"min_eigenvalue", solid.min_eigenvalue},

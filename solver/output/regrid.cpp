@@ -175,7 +175,7 @@ time::State start_from_precursor(const std::filesystem::path& checkpoint, const 
   const auto& all = setup.decomposition.all();
   const auto& g = setup.grid;
   agree_on_root(all, ExitCode::kCheckpointRefused, [&] { check_precursor(checkpoint, initial, g); });
-  time::State state = time::state_at_rest(g, setup.solid.has_value());
+  time::State state = time::state_at_rest(setup);
   agree(all, ExitCode::kCheckpointRefused, [&] {
     const CheckpointFile file(checkpoint);
     interpolate(file, "u", {.x = 0.0}, g, state.velocity.x);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/case/case.hpp"
 #include "solver/grid/field.hpp"
 
 namespace softwall::solid {
@@ -8,15 +9,23 @@ using grid::Grid;
 using grid::Real;
 using grid::View;
 
-/// The solid's part of the state: fraction phi (0 fluid, 1 solid) at centers and the left Cauchy-Green tensor
-/// B, normal components at centers, shear components on the edges where the shear of the staggered velocity
-/// lives. (A centred B_xy cannot feel the two-cell mode of u(y); on the edges it can.)
+/// The solid: fraction phi (0 fluid, 1 solid) at centers and the left Cauchy-Green tensor B, normal
+/// components at centers, shear components on the edges where the shear of the staggered velocity lives. (A
+/// centred B_xy cannot feel the two-cell mode of u(y); on the edges it can.)
+///
+/// With the formulation kTransportedB phi and B are the state. With kReferenceMap the displacement is, and
+/// phi and B follow from it (solid.hpp: start, transport).
 struct Material {
   static constexpr int kGhost = 3;  ///< WENO reads three neighbours on either side
+  SolidFormulation formulation = SolidFormulation::kTransportedB;
   grid::Field phi;
   grid::TensorField B;
+  /// Where the material at a point came from: it was at x - d. Components where those of the velocity are, h.
+  grid::VectorField displacement;
+  double surface_at_rest = 0;  ///< height that the solid's surface had before it was deformed, h
+
   Material() = default;
-  explicit Material(const Grid& g) : phi(g, kGhost), B(g, kGhost) {}
+  explicit Material(const Grid& g) : phi(g, kGhost), B(g, kGhost), displacement(g, kGhost) {}
 };
 
 }  // namespace softwall::solid

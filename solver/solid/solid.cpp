@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "solver/grid/cell_loop.hpp"
 #include "solver/parallel/reduce.hpp"
 #include "solver/solid/elastic_force.hpp"
+#include "solver/solid/reference_map/reference_map.hpp"
 #include "solver/solid/transported_b.hpp"
 
 namespace softwall::solid {
@@ -18,6 +20,9 @@ constexpr int kMargin = 4;
 
 std::unique_ptr<Formulation> formulation_of(const SolidSpec& spec, const Grid& grid,
                                             const parallel::Decomposition& decomposition, grid::Halo& halo) {
+  if (spec.formulation == SolidFormulation::kReferenceMap) {
+    return std::make_unique<reference_map::ReferenceMap>(spec.weno, grid, halo);
+  }
   return std::make_unique<TransportedB>(spec, grid, decomposition, halo);
 }
 
@@ -33,6 +38,7 @@ Solid::Solid(const SolidSpec& spec, const Grid& grid, const parallel::Decomposit
       force_sum_(grid, 0) {}
 
 void Solid::start(Material& material) {
+  if (material.formulation != spec_.formulation) throw std::logic_error("a material of another formulation");
   first_row_ = find_first_row(material);
   formulation_->make_consistent(material, first_row_);
   renew_force(material);
@@ -80,8 +86,11 @@ double Solid::elastic_limit(const Material& m) const {
   return omega > 0 ? kStable / omega : std::numeric_limits<double>::infinity();
 }
 
-Material flat_layer(const Grid& g) {
+Material flat_layer(const Grid& g, SolidFormulation formulation) {
   Material m(g);
+  m.formulation = formulation;
+  m.surface_at_rest = g.y_face[g.ny_fluid];
+  if (formulation == SolidFormulation::kReferenceMap) return m;
   const auto phi = m.phi.view();
   grid::for_each_cell(grid::rows(g, g.ny_fluid, g.ny), [=](int i, int j, int k) { phi(i, j, k) = 1; });
   for (grid::Field* normal : {&m.B.xx, &m.B.yy, &m.B.zz}) {

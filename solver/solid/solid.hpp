@@ -54,7 +54,8 @@ class Solid {
   int first_row_ = 0;
 };
 
-/// A flat layer at rest: phi = 1 above the undeformed interface, B = identity.
-[[nodiscard]] Material flat_layer(const Grid& grid);
+/// A flat layer at rest: phi = 1 above the undeformed interface, B = identity; with a reference map d = 0,
+/// and phi and B wait for start().
+[[nodiscard]] Material flat_layer(const Grid& grid, SolidFormulation formulation);
 
 }  // namespace softwall::solid

@@ -53,17 +53,26 @@ double height_of_row(double row, const grid::Grid& g) {
   return g.y_center[j] + (row - lower) * (g.y_center[j + 1] - g.y_center[j]);
 }
 
-InterfaceShape interface_shape(const grid::Field& phi, const grid::Grid& g,
-                               const parallel::Decomposition& decomposition) {
+std::vector<double> heights_of_solid(const grid::Field& field, const grid::Grid& g) {
+  const auto phi = field.view();
+  const auto nx = static_cast<std::size_t>(g.nx);
+  std::vector<double> heights(nx * static_cast<std::size_t>(g.nz), g.y_face[g.ny]);
+  for (int k = 0; k < g.nz; ++k) {
+    double* height = heights.data() + static_cast<std::size_t>(k) * nx;
+    for (int j = 0; j < g.ny; ++j) {
+      for (int i = 0; i < g.nx; ++i) height[i] -= phi(i, j, k) * g.dy[j];
+    }
+  }
+  return heights;
+}
+
+InterfaceShape shape_of(const std::vector<double>& eta, const grid::Grid& g,
+                        const parallel::Decomposition& decomposition) {
   const auto& all = decomposition.all();
   const double columns = double(g.nx_global) * g.nz_global;
-  std::vector<double> eta = crossing_rows(phi, 0.5, g);
   InterfaceShape shape;
   double sum = 0;
-  for (double& height : eta) {
-    height = height_of_row(height, g);
-    sum += height;
-  }
+  for (const double height : eta) sum += height;
   shape.mean = parallel::sum(all, sum) / columns;
   double squares = 0, top = 0;
   for (const double height : eta) {
@@ -74,6 +83,13 @@ InterfaceShape interface_shape(const grid::Field& phi, const grid::Grid& g,
   shape.rms = std::sqrt(parallel::sum(all, squares) / columns);
   shape.max_deviation = parallel::maximum(all, top);
   return shape;
+}
+
+InterfaceShape interface_shape(const grid::Field& phi, const grid::Grid& g,
+                               const parallel::Decomposition& decomposition) {
+  std::vector<double> eta = crossing_rows(phi, 0.5, g);
+  for (double& height : eta) height = height_of_row(height, g);
+  return shape_of(eta, g, decomposition);
 }
 
 double interface_width(const grid::Field& phi, const grid::Grid& g,

@@ -6,7 +6,8 @@
 #include "solver/grid/grid.hpp"
 #include "solver/parallel/decomposition.hpp"
 
-/// The interface as a height over each column (x, z): the isoline phi = 1/2.
+/// The interface as a height over each column (x, z): the isoline phi = 1/2 where phi is smeared, the depth
+/// of the solid where it is exact.
 namespace softwall::statistics {
 
 /// Where phi, followed from the upper wall down each column, first falls below `level`: row as a real number,
@@ -24,6 +25,14 @@ struct InterfaceShape {
   double rms = 0;            ///< about the mean
   double max_deviation = 0;  ///< max |eta - mean|
 };
+
+/// Height at which each column would end if its solid hung without gaps from the upper wall, h: the surface's
+/// mean height over the column where phi is the exact share of each cell. Order as crossing_rows.
+[[nodiscard]] std::vector<double> heights_of_solid(const grid::Field& phi, const grid::Grid& grid);
+
+/// Mean, rms and largest deviation of the heights eta of this rank's columns. Collective.
+[[nodiscard]] InterfaceShape shape_of(const std::vector<double>& eta, const grid::Grid& grid,
+                                      const parallel::Decomposition& decomposition);
 
 /// Shape of the isoline phi = 1/2. A sharp step lies midway between the two centers around it: at the face on
 /// a uniform grid, a quarter of the difference of the two cell heights off it on a stretched one. Collective.

@@ -8,6 +8,7 @@
 #include "solver/grid/cell_loop.hpp"
 #include "solver/parallel/reduce.hpp"
 #include "solver/solid/limiter.hpp"
+#include "solver/solid/reference_map/strain.hpp"
 #include "solver/statistics/body.hpp"
 #include "solver/statistics/interface_height.hpp"
 
@@ -31,7 +32,30 @@ void visit(const solid::SymmetricTensor& B, bool counts, Extremes& extremes) {
   extremes.min_eigenvalue = std::min(extremes.min_eigenvalue, solid::min_eigenvalue(B));
 }
 
-Extremes extremes_of(const Material& m, const grid::Box& box, double threshold) {
+/// With a reference map: det F F^T is compared, for that of B is 1 by construction, and cells without any
+/// solid are left out, for what stands there was only extrapolated.
+Extremes extremes_of_map(const Material& m, const grid::Grid& g, const grid::Box& box, double threshold) {
+  const auto phi = m.phi.view();
+  const auto strain = solid::reference_map::strain_of(m.displacement, g);
+  Extremes extremes;
+  for (int k = box.k0; k < box.k1; ++k) {
+    for (int j = box.j0; j < box.j1; ++j) {
+      for (int i = box.i0; i < box.i1; ++i) {
+        if (!(phi(i, j, k) > 0)) continue;
+        const auto map = strain.center(i, j, k);
+        visit(solid::reference_map::left_cauchy_green(map), false, extremes);
+        if (phi(i, j, k) < threshold) continue;
+        const double determinant = map.determinant();
+        extremes.max_det_error =
+            std::max(extremes.max_det_error, std::abs(1 / (determinant * determinant) - 1));
+      }
+    }
+  }
+  return extremes;
+}
+
+Extremes extremes_of(const Material& m, const grid::Grid& g, const grid::Box& box, double threshold) {
+  if (m.formulation == SolidFormulation::kReferenceMap) return extremes_of_map(m, g, box, threshold);
   const auto phi = m.phi.view();
   Extremes extremes;
   for (int k = box.k0; k < box.k1; ++k) {
@@ -69,7 +93,7 @@ SolidHealth solid_health(const time::State& state, const time::Setup& setup) {
   const auto& all = setup.decomposition.all();
   const Material& m = state.material;
   const Extremes here =
-      extremes_of(m, grid::rows(g, setup.solid->first_row(), g.ny), setup.physics.solid->threshold);
+      extremes_of(m, g, grid::rows(g, setup.solid->first_row(), g.ny), setup.physics.solid->threshold);
   return {parallel::minimum(all, here.min_eigenvalue), parallel::maximum(all, here.max_det_error),
           width_of(m, setup), volume_of(m.phi, g, setup.decomposition)};
 }

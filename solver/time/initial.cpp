@@ -36,10 +36,15 @@ double envelope_slope(double y) { return y < 2 ? kPi / 2 * std::sin(kPi * y) : 0
 
 }  // namespace
 
+State state_at_rest(const Setup& setup) {
+  const auto& solid = setup.physics.solid;
+  return solid ? state_at_rest(setup.grid, true, solid->formulation) : state_at_rest(setup.grid, false);
+}
+
 State perturbed_laminar(Setup& setup) {
   const auto& g = setup.grid;
   const auto& initial = setup.physics.initial;
-  State s = state_at_rest(g, setup.solid.has_value());
+  State s = state_at_rest(setup);
   // Vortex pairs about two h wide, the spacing at which lift-up is strong; a weak x modulation makes them
   // wavy.
   const double pairs = std::max(1.0, std::round(g.length_z / 1.5)), beta = 2 * kPi * pairs / g.length_z;

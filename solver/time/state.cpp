@@ -18,6 +18,15 @@ std::vector<NamedField> fields_of(State& s) {
   };
   if (!s.elastic) return fields;
   auto& m = s.material;
+  if (m.formulation == SolidFormulation::kReferenceMap) {
+    fields.insert(fields.end(),
+                  {
+                      {"d_x", "streamwise displacement on low-x faces, h", &m.displacement.x, ny},
+                      {"d_y", "wall-normal displacement on low-y faces, h", &m.displacement.y, ny + 1},
+                      {"d_z", "spanwise displacement on low-z faces, h", &m.displacement.z, ny},
+                  });
+    return fields;
+  }
   fields.insert(fields.end(), {
                                   {"phi", "solid fraction at centers", &m.phi, ny},
                                   {"B_xx", "left Cauchy-Green tensor at centers", &m.B.xx, ny},
@@ -30,12 +39,12 @@ std::vector<NamedField> fields_of(State& s) {
   return fields;
 }
 
-State state_at_rest(const grid::Grid& grid, bool elastic) {
+State state_at_rest(const grid::Grid& grid, bool elastic, SolidFormulation formulation) {
   State s;
   s.velocity = grid::VectorField(grid, 1, grid::Memory::kWhole);
   s.pressure = grid::Field(grid, 1, grid::Memory::kWhole);
   s.elastic = elastic;
-  if (elastic) s.material = solid::flat_layer(grid);
+  if (elastic) s.material = solid::flat_layer(grid, formulation);
   return s;
 }
 
@@ -49,8 +58,9 @@ bool is_finite(const State& s, const parallel::Decomposition& decomposition) {
   double sum = total(s.velocity.x) + total(s.velocity.y) + total(s.velocity.z) + total(s.pressure);
   if (s.elastic) {
     const auto& B = s.material.B;
+    const auto& d = s.material.displacement;
     sum += total(s.material.phi) + total(B.xx) + total(B.yy) + total(B.zz) + total(B.xy) + total(B.xz) +
-           total(B.yz);
+           total(B.yz) + total(d.x) + total(d.y) + total(d.z);
   }
   return !parallel::any(decomposition.all(), !std::isfinite(sum));
 }

@@ -15,7 +15,7 @@ namespace softwall::time {
 struct State {
   grid::VectorField velocity;  ///< U_b, on faces
   grid::Field pressure;        ///< rho U_b^2, at centers, without the mean driving gradient
-  solid::Material material;    ///< empty fields in a rigid channel
+  solid::Material material;    ///< empty fields in a rigid channel; its formulation says which are the state
   bool elastic = false;
   double time = 0;  ///< h / U_b
   std::int64_t step = 0;
@@ -34,8 +34,9 @@ struct NamedField {
 /// Every field of the state, always in the same order: the contents of a checkpoint.
 [[nodiscard]] std::vector<NamedField> fields_of(State& state);
 
-/// A fluid at rest and, in an elastic case, a flat layer at rest.
-[[nodiscard]] State state_at_rest(const grid::Grid& grid, bool elastic);
+/// A fluid at rest and, in an elastic case, a flat layer at rest in the given formulation.
+[[nodiscard]] State state_at_rest(const grid::Grid& grid, bool elastic,
+                                  SolidFormulation formulation = SolidFormulation::kTransportedB);
 
 /// True when every number of the state is finite, on all ranks.
 [[nodiscard]] bool is_finite(const State& state, const parallel::Decomposition& decomposition);

@@ -56,6 +56,8 @@ TEST(CaseChecks, TheSolidOfAClosedBoxIsADiscAwayFromTheWalls) {
   expect_complaint(box_with("/physics/solid/disc/x", 0.79), "/physics/solid/disc: touches a wall");
   expect_complaint(box_with("/physics/solid/disc/y", 0.21), "/physics/solid/disc: touches a wall");
   expect_complaint(box_with("/physics/solid/extension", "column"), "/physics/solid/extension: column");
+  expect_complaint(box_with("/physics/solid/formulation", "reference_map"),
+                   "/physics/solid/formulation: reference_map");
   json fluid = tests::box_document();
   fluid["physics"].erase("solid");
   EXPECT_EQ(complaint_about(fluid), "");

@@ -117,7 +117,7 @@ TEST(CaseId, DefaultsNeverChange) {
               "flow": "elastic_wall", "reynolds": 2800,
               "domain": {"length_x": 6, "length_z": 3, "layer_height": 0.5, "height": 2},
               "grid": {"ny_solid": 0, "stretching": 0}, "precision": "double",
-              "solid": {"viscosity_ratio": 1, "weno": "z", "threshold": 0.9, "extension": "column",
+              "solid": {"viscosity_ratio": 1, "formulation": "transported_B", "weno": "z", "threshold": 0.9, "extension": "column",
                         "min_eigenvalue": 1e-4},
               "time_step": {"safety": 0.8, "viscosity": "explicit"},
               "initial": {"type": "perturbed_laminar", "amplitude": 0.1, "seed": 1, "precursor": "",

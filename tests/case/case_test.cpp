@@ -31,6 +31,7 @@ TEST(Case, EveryMemberArrives) {
   ASSERT_TRUE(p.solid);
   EXPECT_EQ(p.solid->G, 0.3);
   EXPECT_EQ(p.solid->viscosity_ratio, 0.1);
+  EXPECT_EQ(p.solid->formulation, SolidFormulation::kReferenceMap);
   EXPECT_EQ(p.solid->weno, WenoWeights::kJiangShu);
   EXPECT_EQ(p.solid->threshold, 0.7);
   EXPECT_EQ(p.solid->min_eigenvalue, 0.001);

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <memory>
 #include <thread>
+#include <vector>
 
 #include "solver/case/checkpoint_header.hpp"
 #include "solver/output/checkpoint_reader.hpp"
@@ -27,8 +28,11 @@ class Restart : public testing::TestWithParam<Setting> {
  protected:
   [[nodiscard]] int ranks() const { return GetParam().ranks; }
   [[nodiscard]] static json a_case(int steps) {
-    json c = std::string(GetParam().flow) == "rigid" ? rigid_case(steps) : elastic_case(steps);
-    if (std::string(GetParam().flow) == "single") c["physics"]["precision"] = "single";
+    const std::string flow = GetParam().flow;
+    if (flow == "rigid") return rigid_case(steps);
+    if (flow == "reference_map") return reference_map_case(steps);
+    json c = elastic_case(steps);
+    if (flow == "single") c["physics"]["precision"] = "single";
     return c;
   }
   /// Never stopped.
@@ -43,7 +47,8 @@ class Restart : public testing::TestWithParam<Setting> {
 INSTANTIATE_TEST_SUITE_P(, Restart,
                          testing::Values(Setting{"rigid", 1}, Setting{"rigid", 2}, Setting{"rigid", 4},
                                          Setting{"elastic", 1}, Setting{"elastic", 2}, Setting{"elastic", 4},
-                                         Setting{"single", 2}),
+                                         Setting{"single", 2}, Setting{"reference_map", 1},
+                                         Setting{"reference_map", 2}, Setting{"reference_map", 4}),
                          [](const auto& test) { return test.param.flow + std::to_string(test.param.ranks); });
 
 TEST_P(Restart, FromEachCheckpointOfAnInterval) {
@@ -135,19 +140,26 @@ double difference(const fs::path& a, const fs::path& b, const std::string& field
   return top;
 }
 
-TEST(RestartOnOtherRanks, GivesTheSameNumbersToRoundOff) {
-  const SolverRun whole(elastic_case(30));
+void expect_same_numbers_on_other_ranks(json (*a_case)(int), const std::vector<const char*>& fields) {
+  const SolverRun whole(a_case(30));
   ASSERT_EQ(whole.run(2).code, 0);
   for (const int other : {1, 4}) {
-    const SolverRun run(elastic_case(15));
+    const SolverRun run(a_case(15));
     ASSERT_EQ(run.run(2).code, 0);
-    run.write_case(elastic_case(30));
+    run.write_case(a_case(30));
     ASSERT_EQ(run.run(other).code, 0);
     ASSERT_EQ(run.newest_checkpoint().filename(), whole.newest_checkpoint().filename());
-    for (const char* field : {"fields/u", "fields/v", "fields/w", "fields/p", "fields/phi", "fields/B_xy"}) {
+    for (const char* field : fields) {
       EXPECT_LT(difference(run.newest_checkpoint(), whole.newest_checkpoint(), field), 1e-11) << field;
     }
   }
+}
+
+TEST(RestartOnOtherRanks, GivesTheSameNumbersToRoundOff) {
+  expect_same_numbers_on_other_ranks(
+      elastic_case, {"fields/u", "fields/v", "fields/w", "fields/p", "fields/phi", "fields/B_xy"});
+  expect_same_numbers_on_other_ranks(reference_map_case, {"fields/u", "fields/v", "fields/w", "fields/p",
+                                                          "fields/d_x", "fields/d_y", "fields/d_z"});
 }
 
 }  // namespace

@@ -50,6 +50,12 @@ json elastic_case(int steps) {
   return c;
 }
 
+json reference_map_case(int steps) {
+  json c = elastic_case(steps);
+  c["physics"]["solid"]["formulation"] = "reference_map";
+  return c;
+}
+
 SolverRun::SolverRun() {
   std::string name = (fs::temp_directory_path() / "softwall-run-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) std::abort();

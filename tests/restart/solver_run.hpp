@@ -51,6 +51,7 @@ class SolverRun {
 /// A small case with statistics, 0.01 per step, which ends after so many steps.
 [[nodiscard]] nlohmann::json rigid_case(int steps);
 [[nodiscard]] nlohmann::json elastic_case(int steps);
+[[nodiscard]] nlohmann::json reference_map_case(int steps);
 
 [[nodiscard]] std::string contents(const std::filesystem::path& file);
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/time/advance.hpp"
+#include "solver/time/initial.hpp"
 #include "tests/support/fields.hpp"
 #include "tests/support/physics.hpp"
 
@@ -17,15 +18,15 @@ void expect_exactly(const grid::Field& f, const grid::Grid& g, int rows, const V
   }
 }
 
-void expect_rest(double viscosity_ratio, double stretching) {
+void expect_rest(SolidFormulation formulation, double viscosity_ratio, double stretching) {
   Physics p = support::elastic_channel({12, 12, 4, 9});
   p.solid->viscosity_ratio = viscosity_ratio;
   p.solid->G = 4;
   p.grid.stretching = stretching;
   p.layer_height = 0.5;
-  Setup setup(p, MPI_COMM_WORLD);
+  Setup setup(support::formulated(p, formulation), MPI_COMM_WORLD);
   setup.bulk_velocity.reset();
-  State s = state_at_rest(setup.grid, true);
+  State s = state_at_rest(setup);
   start(s, setup);
   for (int step = 0; step < 100; ++step) advance(s, setup, 0.01);
   const auto& g = setup.grid;
@@ -46,8 +47,15 @@ void expect_rest(double viscosity_ratio, double stretching) {
   EXPECT_EQ(setup.solid->limited_cells(), 0);
 }
 
-TEST(LayerAtRest, StaysExactlyAtRest) { expect_rest(1, 0); }
-TEST(LayerAtRest, StaysExactlyAtRestWithAnotherViscosityOnAStretchedGrid) { expect_rest(10, 1.2); }
+class LayerAtRest : public testing::TestWithParam<SolidFormulation> {};
+
+TEST_P(LayerAtRest, StaysExactlyAtRest) { expect_rest(GetParam(), 1, 0); }
+TEST_P(LayerAtRest, StaysExactlyAtRestWithAnotherViscosityOnAStretchedGrid) {
+  expect_rest(GetParam(), 10, 1.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(, LayerAtRest, testing::ValuesIn(support::kBothFormulations),
+                         [](const auto& test) { return support::name_of(test.param); });
 
 }  // namespace
 }  // namespace softwall::time

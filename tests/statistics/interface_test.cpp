@@ -46,6 +46,26 @@ TEST(Interface, AFlatLayerLiesAtTheInterfaceOfTheCase) {
   EXPECT_NEAR(shape.max_deviation, 0, 1e-14);
 }
 
+/// Where phi is the exact share of each cell, the depth of the solid is exact whatever rows the surface
+/// crosses.
+TEST(Interface, ShapeOfASharpInterface) {
+  for (const double stretching : {0.0, 1.5}) {
+    auto physics = elastic_case();
+    physics.grid.stretching = stretching;
+    const time::Setup setup(physics, MPI_COMM_WORLD);
+    const auto& g = setup.grid;
+    grid::Field phi(g, 3);
+    for_columns(g, 0, g.ny, [&](int i, int j, int k, double x, double z) {
+      const double eta = 1.98 + 0.2 * std::cos(2 * kPi * x / 4) * std::cos(2 * kPi * z / 3);
+      phi(i, j, k) = std::clamp((g.y_face[j + 1] - eta) / g.dy[j], 0.0, 1.0);
+    });
+    const auto shape = shape_of(heights_of_solid(phi, g), g, setup.decomposition);
+    EXPECT_NEAR(shape.mean, 1.98, 1e-13);
+    EXPECT_NEAR(shape.rms, 0.2 / 2, 1e-13);
+    EXPECT_NEAR(shape.max_deviation, 0.2, 1e-13);
+  }
+}
+
 TEST(Interface, WidthInCells) {
   const time::Setup setup(elastic_case(), MPI_COMM_WORLD);  // dy = 1/8
   const auto& g = setup.grid;

@@ -38,6 +38,40 @@ TEST(SolidHealth, OfASimpleShearIsKnown) {
   EXPECT_NEAR(health.max_det_error, 0, 1e-14);
 }
 
+/// A layer with a reference map, its displacement d_x = shear (y - top), d_y = swollen (y - top).
+SolidHealth of_a_map(double shear, double swollen) {
+  auto physics = elastic_case();
+  physics.solid->formulation = SolidFormulation::kReferenceMap;
+  time::Setup setup(physics, MPI_COMM_WORLD);
+  const auto& g = setup.grid;
+  auto s = time::state_at_rest(setup);
+  for_columns(g, 0, g.ny, [&](int i, int j, int k, double, double) {
+    s.material.displacement.x(i, j, k) = shear * (g.y_center[j] - g.y_face[g.ny]);
+    s.material.displacement.y(i, j, k) = swollen * (g.y_face[j] - g.y_face[g.ny]);
+  });
+  time::start(s, setup);
+  return solid_health(s, setup);
+}
+
+TEST(SolidHealth, OfAShearedReferenceMapIsKnown) {
+  const double shear = 0.8;
+  const auto health = of_a_map(shear, 0);
+  EXPECT_NEAR(health.min_eigenvalue, 1 + shear * shear / 2 - shear * std::sqrt(1 + shear * shear / 4), 1e-13);
+  EXPECT_NEAR(health.max_det_error, 0, 1e-13);
+  EXPECT_NEAR(health.solid_volume, 0.5 * 4 * 3, 1e-13);
+  EXPECT_NEAR(health.interface_width_cells, 0.8, 1e-13);
+}
+
+TEST(SolidHealth, OfASwollenReferenceMapIsKnown) {
+  // det A = 1 - s: F F^T has the determinant (1 - s)^-2, and the surface is where y - s (y - top) = 2.
+  const double swollen = 0.2;
+  const auto health = of_a_map(0, swollen);
+  EXPECT_NEAR(health.max_det_error, 1 / (0.8 * 0.8) - 1, 1e-13);
+  EXPECT_NEAR(health.solid_volume, 0.5 / 0.8 * 4 * 3, 1e-12);
+  // Stretched in y, so shrunk in x and z; of equal eigenvalues half the digits are right.
+  EXPECT_NEAR(health.min_eigenvalue, std::pow(0.8, 2.0 / 3), 1e-7);
+}
+
 TEST(SolidHealth, FindsTheOneWorstCellWhereverItIs) {
   for (int worst = 0; worst < 8 * 6; worst += 5) {
     time::Setup setup(elastic_case(), MPI_COMM_WORLD);

@@ -35,7 +35,7 @@ inline void set_smooth_flow(time::State& s, const time::Setup& setup) {
 
 /// A ready state of the case with the smooth flow in it: solenoidal, its flow rate held if the case holds it.
 inline time::State smooth_state(time::Setup& setup) {
-  time::State s = time::state_at_rest(setup.grid, setup.solid.has_value());
+  time::State s = time::state_at_rest(setup);
   set_smooth_flow(s, setup);
   time::make_solenoidal(s, setup);
   return s;

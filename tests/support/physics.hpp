@@ -67,9 +67,24 @@ inline Physics cavity_with_disc(int nx, int ny) {
   return p;
 }
 
-/// phi = 1 and B = identity everywhere.
-inline solid::Material solid_everywhere(const grid::Grid& g) {
+/// The same case with the solid in another formulation.
+inline Physics formulated(Physics p, SolidFormulation formulation) {
+  p.solid->formulation = formulation;
+  return p;
+}
+
+inline constexpr SolidFormulation kBothFormulations[] = {SolidFormulation::kTransportedB,
+                                                         SolidFormulation::kReferenceMap};
+inline const char* name_of(SolidFormulation formulation) {
+  return formulation == SolidFormulation::kTransportedB ? "TransportedB" : "ReferenceMap";
+}
+
+/// phi = 1 and B = identity everywhere; d = 0 and a surface on the lower wall.
+inline solid::Material solid_everywhere(const grid::Grid& g,
+                                        SolidFormulation formulation = SolidFormulation::kTransportedB) {
   solid::Material m(g);
+  m.formulation = formulation;
+  m.surface_at_rest = g.y_face[0];
   for (grid::Field* one : {&m.phi, &m.B.xx, &m.B.yy, &m.B.zz}) {
     const auto q = one->view();
     grid::for_each_cell(grid::all_cells(g), [=](int i, int j, int k) { q(i, j, k) = 1; });

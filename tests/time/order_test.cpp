@@ -37,15 +37,18 @@ TEST(OrderInTime, BothTogetherWithTheFlowRateHeldAreThird) {
   EXPECT_NEAR(order(channel(50, 1.2), 16, true), 3, 0.15);
 }
 
-TEST(OrderInTime, ElasticCouplingIsSecondAtLeast) {
+class OrderInTimeOfASolid : public testing::TestWithParam<SolidFormulation> {};
+
+TEST_P(OrderInTimeOfASolid, ElasticCouplingIsSecondAtLeast) {
   // A solid box deforms smoothly. (The limiter is never called for, threshold and band have nothing to do.)
   Physics p = support::solid_box({12, 10, 0, 8});
   p.solid->G = 2;
+  p.solid->formulation = GetParam();
   const auto solid_at_end = [&](int steps) {
     time::Setup setup(p, MPI_COMM_WORLD);
     setup.bulk_velocity.reset();
-    State s = state_at_rest(setup.grid, true);
-    s.material = support::solid_everywhere(setup.grid);
+    State s = state_at_rest(setup);
+    s.material = support::solid_everywhere(setup.grid, GetParam());
     support::set_smooth_flow(s, setup);
     make_solenoidal(s, setup);
     for (int step = 0; step < steps; ++step) advance(s, setup, 0.25 / steps);
@@ -55,6 +58,9 @@ TEST(OrderInTime, ElasticCouplingIsSecondAtLeast) {
   const double seen = support::richardson_order(solid_at_end(32), solid_at_end(64), solid_at_end(128));
   EXPECT_GT(seen, 1.9);
 }
+
+INSTANTIATE_TEST_SUITE_P(, OrderInTimeOfASolid, testing::ValuesIn(support::kBothFormulations),
+                         [](const auto& test) { return support::name_of(test.param); });
 
 }  // namespace
 }  // namespace softwall::time

@@ -39,7 +39,9 @@ TEST(Ranks, ElasticChannelIsTheSame) {
   Physics p = support::elastic_channel({13, 12, 6, 14});
   p.reynolds = 500;
   p.solid->viscosity_ratio = 3;
-  expect_independent_of_ranks(p, support::smooth_state);
+  for (const auto formulation : support::kBothFormulations) {
+    expect_independent_of_ranks(support::formulated(p, formulation), support::smooth_state);
+  }
 }
 
 TEST(Ranks, PencilsInBothDirectionsAreTheSame) {
@@ -47,7 +49,9 @@ TEST(Ranks, PencilsInBothDirectionsAreTheSame) {
   if (support::world_size() == 3) GTEST_SKIP() << "three ranks do not fit";
   Physics p = support::elastic_channel({12, 12, 6, 6});
   p.reynolds = 500;
-  expect_independent_of_ranks(p, support::smooth_state);
+  for (const auto formulation : support::kBothFormulations) {
+    expect_independent_of_ranks(support::formulated(p, formulation), support::smooth_state);
+  }
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ Start smooth_start(const Physics& p) {
 Start after(const Physics& p, int steps, bool driven, bool filled_with_solid, const Start& start_velocity) {
   time::Setup setup(p, MPI_COMM_WORLD);
   if (!driven) setup.bulk_velocity.reset();
-  State s = state_at_rest(setup.grid, setup.solid.has_value());
-  if (filled_with_solid) s.material = support::solid_everywhere(setup.grid);
+  State s = state_at_rest(setup);
+  if (filled_with_solid) s.material = support::solid_everywhere(setup.grid, p.solid->formulation);
   const auto& g = setup.grid;
   support::set_by_index(s.velocity.x, g, g.ny, start_velocity.u);
   support::set_by_index(s.velocity.y, g, g.ny + 1, start_velocity.v);
@@ -107,6 +107,7 @@ Start x_for_z(const Start& s) {
 struct Flow {
   const char* name;
   bool elastic, filled;
+  SolidFormulation formulation = SolidFormulation::kTransportedB;
 };
 
 /// A cube-like box, so that x and z may change places.
@@ -115,6 +116,7 @@ Physics physics(const Flow& flow) {
               : flow.elastic ? support::elastic_channel({kN, 10, 4, kN})
                              : support::rigid_channel({kN, 10, 0, kN});
   if (!flow.elastic) p.grid.stretching = 1.3;
+  if (flow.elastic) p.solid->formulation = flow.formulation;
   p.length_x = p.length_z = 2;
   return p;
 }
@@ -141,10 +143,13 @@ TEST_P(Symmetry, UpsideDown) {
   expect_commutes(upside_down, !GetParam().elastic);
 }
 
-INSTANTIATE_TEST_SUITE_P(Flows, Symmetry,
-                         testing::Values(Flow{"RigidChannel", false, false},
-                                         Flow{"ElasticChannel", true, false}, Flow{"SolidBox", true, true}),
-                         [](const auto& flow) { return std::string(flow.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Flows, Symmetry,
+    testing::Values(Flow{"RigidChannel", false, false}, Flow{"ElasticChannel", true, false},
+                    Flow{"SolidBox", true, true},
+                    Flow{"ElasticChannelWithAReferenceMap", true, false, SolidFormulation::kReferenceMap},
+                    Flow{"SolidBoxWithAReferenceMap", true, true, SolidFormulation::kReferenceMap}),
+    [](const auto& flow) { return std::string(flow.param.name); });
 
 }  // namespace
 }  // namespace softwall::time

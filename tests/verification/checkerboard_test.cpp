@@ -16,22 +16,23 @@ constexpr double kSmall = 1e-4;  // linear waves
 
 int sign(int n) { return n % 2 == 0 ? 1 : -1; }
 
-Physics box() {
+Physics box(SolidFormulation formulation) {
   Physics p = support::solid_box({12, 12, 0, 6 * support::world_size()});
   p.reynolds = 50;
-  return p;
+  return support::formulated(p, formulation);
 }
 
 /// A solid box moving with the given pattern, ready to advance.
 struct Shaken {
   using Pattern = std::function<double(int, int, int)>;
-  Setup setup{box(), MPI_COMM_WORLD};
-  State state = state_at_rest(setup.grid, true);
+  Setup setup;
+  State state = state_at_rest(setup);
 
-  Shaken(const Pattern& u, const Pattern& v, const Pattern& w) {
+  Shaken(SolidFormulation formulation, const Pattern& u, const Pattern& v, const Pattern& w)
+      : setup(box(formulation), MPI_COMM_WORLD) {
     setup.bulk_velocity.reset();
     const auto& g = setup.grid;
-    state.material = support::solid_everywhere(g);
+    state.material = support::solid_everywhere(g, formulation);
     support::set_by_index(state.velocity.x, g, g.ny, u);
     support::set_by_index(state.velocity.y, g, g.ny, v);
     support::set_by_index(state.velocity.z, g, g.ny, w);
@@ -60,6 +61,11 @@ struct Shaken {
 
 double none(int, int, int) { return 0; }
 
+class Checkerboard : public testing::TestWithParam<SolidFormulation> {};
+
+INSTANTIATE_TEST_SUITE_P(, Checkerboard, testing::ValuesIn(support::kBothFormulations),
+                         [](const auto& test) { return support::name_of(test.param); });
+
 /// A mode of one component that alternates in y (as no slip wants it), and perhaps in a direction across that
 /// component, is an eigenmode of the box with kappa^2 = sum of 4 / d^2. Its velocity is that of a damped
 /// oscillator, v = exp(-s t) (cos w t - s / w sin w t) of the start.
@@ -84,36 +90,38 @@ void expect_standing_wave(Shaken& shaken, const grid::Field& component, double k
   EXPECT_GT(largest_deformation, 0.5 * kSmall);
 }
 
-TEST(Checkerboard, OfUInYIsAStandingWave) {
-  Shaken s([](int, int j, int) { return kSmall * sign(j); }, none, none);
+TEST_P(Checkerboard, OfUInYIsAStandingWave) {
+  Shaken s(
+      GetParam(), [](int, int j, int) { return kSmall * sign(j); }, none, none);
   const double dy = s.setup.grid.dy[0];
   expect_standing_wave(s, s.state.velocity.x, 4 / (dy * dy));
 }
 
-TEST(Checkerboard, OfUInYAndZIsAStandingWave) {
-  Shaken s([](int, int j, int k) { return kSmall * sign(j + k); }, none, none);
+TEST_P(Checkerboard, OfUInYAndZIsAStandingWave) {
+  Shaken s(
+      GetParam(), [](int, int j, int k) { return kSmall * sign(j + k); }, none, none);
   const double dy = s.setup.grid.dy[0], dz = s.setup.grid.dz;
   expect_standing_wave(s, s.state.velocity.x, 4 / (dy * dy) + 4 / (dz * dz));
 }
 
-TEST(Checkerboard, OfWInYIsAStandingWave) {
-  Shaken s(none, none, [](int, int j, int) { return kSmall * sign(j); });
+TEST_P(Checkerboard, OfWInYIsAStandingWave) {
+  Shaken s(GetParam(), none, none, [](int, int j, int) { return kSmall * sign(j); });
   const double dy = s.setup.grid.dy[0];
   expect_standing_wave(s, s.state.velocity.z, 4 / (dy * dy));
 }
 
-TEST(Checkerboard, OfWInXAndYIsAStandingWave) {
-  Shaken s(none, none, [](int i, int j, int) { return kSmall * sign(i + j); });
+TEST_P(Checkerboard, OfWInXAndYIsAStandingWave) {
+  Shaken s(GetParam(), none, none, [](int i, int j, int) { return kSmall * sign(i + j); });
   const double dx = s.setup.grid.dx, dy = s.setup.grid.dy[0];
   expect_standing_wave(s, s.state.velocity.z, 4 / (dx * dx) + 4 / (dy * dy));
 }
 
 /// For patterns that the projection or the walls mix with others: what the projection leaves must turn into
 /// deformation, come back, and be gone in the end.
-void expect_felt_and_decaying(const char* name, const Shaken::Pattern& u, const Shaken::Pattern& v,
-                              const Shaken::Pattern& w) {
+void expect_felt_and_decaying(SolidFormulation formulation, const char* name, const Shaken::Pattern& u,
+                              const Shaken::Pattern& v, const Shaken::Pattern& w) {
   SCOPED_TRACE(name);
-  Shaken shaken(u, v, w);
+  Shaken shaken(formulation, u, v, w);
   const double start_energy = shaken.kinetic_energy();
   ASSERT_GT(start_energy, 1e-3 * kSmall * kSmall * shaken.setup.grid.cells());
   ASSERT_EQ(shaken.deformation(), 0);
@@ -135,7 +143,7 @@ void expect_felt_and_decaying(const char* name, const Shaken::Pattern& u, const 
   EXPECT_LT(shaken.deformation(), 0.1 * largest_deformation);
 }
 
-TEST(Checkerboard, OfAnyComponentInAnyDirectionIsFeltAndDecays) {
+TEST_P(Checkerboard, OfAnyComponentInAnyDirectionIsFeltAndDecays) {
   const auto x = [](int i, int, int) { return kSmall * sign(i); };
   const auto y = [](int, int j, int) { return kSmall * sign(j); };
   const auto z = [](int, int, int k) { return kSmall * sign(k); };
@@ -143,21 +151,21 @@ TEST(Checkerboard, OfAnyComponentInAnyDirectionIsFeltAndDecays) {
   const auto xz = [](int i, int, int k) { return kSmall * sign(i + k); };
   const auto yz = [](int, int j, int k) { return kSmall * sign(j + k); };
   const auto xyz = [](int i, int j, int k) { return kSmall * sign(i + j + k); };
-  expect_felt_and_decaying("u in y", y, none, none);
-  expect_felt_and_decaying("u in z", z, none, none);
-  expect_felt_and_decaying("u in x and z", xz, none, none);
-  expect_felt_and_decaying("u in x and y", xy, none, none);
-  expect_felt_and_decaying("u in all", xyz, none, none);
-  expect_felt_and_decaying("v in x", none, x, none);
-  expect_felt_and_decaying("v in z", none, z, none);
-  expect_felt_and_decaying("v in x and y", none, xy, none);
-  expect_felt_and_decaying("v in y and z", none, yz, none);
-  expect_felt_and_decaying("v in all", none, xyz, none);
-  expect_felt_and_decaying("w in x", none, none, x);
-  expect_felt_and_decaying("w in y", none, none, y);
-  expect_felt_and_decaying("w in x and z", none, none, xz);
-  expect_felt_and_decaying("w in y and z", none, none, yz);
-  expect_felt_and_decaying("w in all", none, none, xyz);
+  expect_felt_and_decaying(GetParam(), "u in y", y, none, none);
+  expect_felt_and_decaying(GetParam(), "u in z", z, none, none);
+  expect_felt_and_decaying(GetParam(), "u in x and z", xz, none, none);
+  expect_felt_and_decaying(GetParam(), "u in x and y", xy, none, none);
+  expect_felt_and_decaying(GetParam(), "u in all", xyz, none, none);
+  expect_felt_and_decaying(GetParam(), "v in x", none, x, none);
+  expect_felt_and_decaying(GetParam(), "v in z", none, z, none);
+  expect_felt_and_decaying(GetParam(), "v in x and y", none, xy, none);
+  expect_felt_and_decaying(GetParam(), "v in y and z", none, yz, none);
+  expect_felt_and_decaying(GetParam(), "v in all", none, xyz, none);
+  expect_felt_and_decaying(GetParam(), "w in x", none, none, x);
+  expect_felt_and_decaying(GetParam(), "w in y", none, none, y);
+  expect_felt_and_decaying(GetParam(), "w in x and z", none, none, xz);
+  expect_felt_and_decaying(GetParam(), "w in y and z", none, none, yz);
+  expect_felt_and_decaying(GetParam(), "w in all", none, none, xyz);
 }
 
 }  // namespace

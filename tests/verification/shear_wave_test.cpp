@@ -34,15 +34,17 @@ struct Errors {
 };
 
 /// The wave sin(pi y) after T = 1.3, in u or, turned by 90 degrees, in w; compared with `wave`.
-Errors run_wave(int ny, double stretching, double viscosity_ratio, int steps, bool turned, const Wave& wave) {
+Errors run_wave(SolidFormulation formulation, int ny, double stretching, double viscosity_ratio, int steps,
+                bool turned, const Wave& wave) {
   Physics p = support::solid_box({turned ? 3 * support::world_size() : 3, ny, 0, 3 * support::world_size()});
   p.reynolds = kReynolds;
   p.grid.stretching = stretching;
   p.solid->viscosity_ratio = viscosity_ratio;
+  p.solid->formulation = formulation;
   time::Setup setup(p, MPI_COMM_WORLD);
   setup.bulk_velocity.reset();
   State s = state_at_rest(setup.grid, true);
-  s.material = support::solid_everywhere(setup.grid);
+  s.material = support::solid_everywhere(setup.grid, formulation);
   auto& moving = turned ? s.velocity.z : s.velocity.x;
   const auto& g = setup.grid;
   support::set_by_position(moving, g, kFaceX,
@@ -63,11 +65,14 @@ Errors run_wave(int ny, double stretching, double viscosity_ratio, int steps, bo
                 [&](double y) { return 1 + std::pow(xi * std::cos(kPi * y), 2); })};
 }
 
-void expect_second_order_in_space(double stretching, double ratio, bool turned) {
+void expect_second_order_in_space(SolidFormulation formulation, double stretching, double ratio,
+                                  bool turned) {
   SCOPED_TRACE(testing::Message() << "stretching " << stretching << ", viscosity ratio " << ratio
                                   << (turned ? ", in w" : ", in u"));
   const Wave wave{kPi * kPi, kG, ratio / kReynolds};
-  const auto errors = [&](int ny) { return run_wave(ny, stretching, ratio, 10 * ny, turned, wave); };
+  const auto errors = [&](int ny) {
+    return run_wave(formulation, ny, stretching, ratio, 10 * ny, turned, wave);
+  };
   const Errors coarse = errors(16), middle = errors(32), fine = errors(64);
   EXPECT_NEAR(support::observed_order(coarse.velocity, middle.velocity), 2, 0.3);
   EXPECT_NEAR(support::observed_order(middle.velocity, fine.velocity), 2, 0.15);
@@ -79,22 +84,31 @@ void expect_second_order_in_space(double stretching, double ratio, bool turned) 
   support::report("shear wave, B_xx", {coarse.stretch, middle.stretch, fine.stretch});
 }
 
-TEST(ShearWave, IsSecondOrderInSpace) { expect_second_order_in_space(0, 1, false); }
-TEST(ShearWave, IsSecondOrderInSpaceInW) { expect_second_order_in_space(0, 1, true); }
-TEST(ShearWave, IsSecondOrderInSpaceOnAStretchedGrid) { expect_second_order_in_space(1.2, 1, false); }
-TEST(ShearWave, FeelsTheViscosityOfTheSolid) { expect_second_order_in_space(0, 10, false); }
+class ShearWave : public testing::TestWithParam<SolidFormulation> {};
 
-TEST(ShearWave, IsSecondOrderInTimeAtLeast) {
+TEST_P(ShearWave, IsSecondOrderInSpace) { expect_second_order_in_space(GetParam(), 0, 1, false); }
+TEST_P(ShearWave, IsSecondOrderInSpaceInW) { expect_second_order_in_space(GetParam(), 0, 1, true); }
+TEST_P(ShearWave, IsSecondOrderInSpaceOnAStretchedGrid) {
+  expect_second_order_in_space(GetParam(), 1.2, 1, false);
+}
+TEST_P(ShearWave, FeelsTheViscosityOfTheSolid) { expect_second_order_in_space(GetParam(), 0, 10, false); }
+
+TEST_P(ShearWave, IsSecondOrderInTimeAtLeast) {
   // Against the wave of the discrete operator, whose eigenvalue is known, so that only time steps err.
   const int ny = 12;
   const double dy = 2.0 / ny;
   const Wave discrete{std::pow(2 * std::sin(kPi * dy / 2) / dy, 2), kG, 1 / kReynolds};
-  const auto error = [&](int steps) { return run_wave(ny, 0, 1, steps, false, discrete).velocity; };
+  const auto error = [&](int steps) {
+    return run_wave(GetParam(), ny, 0, 1, steps, false, discrete).velocity;
+  };
   const double coarse = error(26), middle = error(52), fine = error(104);
   EXPECT_GT(support::observed_order(coarse, middle), 1.9) << coarse << ' ' << middle;
   EXPECT_GT(support::observed_order(middle, fine), 1.9) << middle << ' ' << fine;
   support::report("shear wave, time step", {coarse, middle, fine});
 }
+
+INSTANTIATE_TEST_SUITE_P(, ShearWave, testing::ValuesIn(support::kBothFormulations),
+                         [](const auto& test) { return support::name_of(test.param); });
 
 }  // namespace
 }  // namespace softwall::time

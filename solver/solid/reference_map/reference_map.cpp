@@ -1,0 +1,144 @@
+#include "solver/solid/reference_map/reference_map.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "solver/grid/cell_loop.hpp"
+#include "solver/solid/reference_map/extrapolation.hpp"
+#include "solver/solid/reference_map/strain.hpp"
+#include "solver/solid/reference_map/transport.hpp"
+#include "solver/solid/reference_map/volume.hpp"
+
+namespace softwall::solid::reference_map {
+
+namespace {
+
+constexpr int kGhost = Material::kGhost;
+
+/// Rows of d that are kept below the band: as far as transport reads.
+int lowest_kept_row(int first_row) { return std::max(0, first_row - kGhost); }
+
+}  // namespace
+
+ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid, grid::Halo& halo)
+    : grid_(grid),
+      weights_(weights),
+      halo_(halo),
+      now_(grid, 0),
+      before_(grid, 0),
+      volume_(grid, 1),
+      own_heights_(grid, 1),
+      wide_heights_(grid, 2) {}
+
+int ReferenceMap::lowest_row(const Material& m) const {
+  Heights heights(grid_, 0);
+  heights.find(m.displacement.y, m.surface_at_rest);
+  const double lowest = heights.lowest();
+  int row = 0;
+  while (row + 1 < grid_.ny && grid_.y_face[row + 1] <= lowest) ++row;
+  return row;
+}
+
+void ReferenceMap::transport(Material& m, const grid::VectorField& velocity, const Stage& stage, double dt,
+                             int first_row) {
+  find_rates(m.displacement, velocity, grid_, weights_, first_row, now_);
+  relax_volume(m.phi, volume_, grid_, dt, first_row, now_);
+  update(m.displacement, stage, dt, first_row);
+  extend_below_surface(m, first_row);
+  make_consistent(m, first_row);
+}
+
+void ReferenceMap::update(grid::VectorField& d, const Stage& stage, double dt, int first_row) {
+  const Real by_now = Real(stage.beta * dt), by_before = Real(stage.gamma * dt);
+  const auto step = [&](grid::Field& component, const grid::Field& now, const grid::Field& before, int j0) {
+    const auto q = component.view();
+    const auto r = now.view(), r_before = before.view();
+    grid::for_each_cell(grid::rows(grid_, j0, grid_.ny), [=](int i, int j, int k) {
+      q(i, j, k) += by_now * r(i, j, k) + by_before * r_before(i, j, k);
+    });
+  };
+  step(d.x, now_.x, before_.x, first_row);
+  step(d.y, now_.y, before_.y, std::max(first_row, 1));
+  step(d.z, now_.z, before_.z, first_row);
+  std::swap(now_, before_);
+}
+
+void ReferenceMap::extend_below_surface(Material& m, int first_row) {
+  auto& d = m.displacement;
+  const int lowest = lowest_kept_row(first_row);
+  halo_.fill({&d.y}, {lowest, grid_.ny + 1});
+  own_heights_.find(d.y, m.surface_at_rest);
+  extrapolate(own_heights_, grid_, lowest, d);
+}
+
+void ReferenceMap::make_consistent(Material& m, int first_row) {
+  const grid::RowSpan span{first_row > kGhost ? first_row - kGhost : -kGhost, grid_.ny + kGhost};
+  fill_beyond_walls(m.displacement, first_row);
+  halo_.fill({&m.displacement.x, &m.displacement.y, &m.displacement.z}, span);
+  wide_heights_.find(m.displacement.y, m.surface_at_rest);
+  fill_fraction(wide_heights_, grid_, first_row, m.phi);
+  find_strain(m, first_row);
+}
+
+/// Odd about a wall for the components along it; even for d_y, whose first derivative vanishes there with the
+/// others' (volume).
+void ReferenceMap::fill_beyond_walls(grid::VectorField& d, int first_row) const {
+  const int ny = grid_.ny;
+  const auto columns = grid::rows(grid_, 0, 1);
+  const auto x = d.x.view(), y = d.y.view(), z = d.z.view();
+  grid::for_each_cell(columns, [=](int i, int, int k) { y(i, ny, k) = 0; });
+  for (int n = 1; n <= kGhost; ++n) {
+    grid::for_each_cell(columns, [=](int i, int, int k) {
+      x(i, ny - 1 + n, k) = -x(i, ny - n, k);
+      z(i, ny - 1 + n, k) = -z(i, ny - n, k);
+      if (n < kGhost) y(i, ny + n, k) = y(i, ny - n, k);
+    });
+    if (first_row > kGhost) continue;
+    grid::for_each_cell(columns, [=](int i, int, int k) {
+      x(i, -n, k) = -x(i, n - 1, k);
+      z(i, -n, k) = -z(i, n - 1, k);
+      y(i, -n, k) = y(i, n, k);
+    });
+  }
+}
+
+void ReferenceMap::find_strain(Material& m, int first_row) {
+  const Grid& g = grid_;
+  const Strain strain = strain_of(m.displacement, g);
+  const auto phi = m.phi.view(), volume = volume_.view();
+  const auto xx = m.B.xx.view(), yy = m.B.yy.view(), zz = m.B.zz.view(), xy = m.B.xy.view(),
+             xz = m.B.xz.view(), yz = m.B.yz.view();
+  const auto box = [&](int top) { return grid::Box{-1, g.nx + 1, first_row, top, -1, g.nz + 1}; };
+  grid::for_each_cell(box(g.ny), [=](int i, int j, int k) {
+    const MapGradient A = strain.center(i, j, k);
+    volume(i, j, k) = A.determinant();
+    const Real factor = volume_factor(volume(i, j, k));
+    xx(i, j, k) = factor * A.square_x();
+    yy(i, j, k) = factor * A.square_y();
+    zz(i, j, k) = factor * A.square_z();
+  });
+  grid::for_each_cell(box(g.ny + 1), [=](int i, int j, int k) {
+    const MapGradient A = strain.edge_xy(i, j, k);
+    xy(i, j, k) = volume_factor(A.determinant()) * A.product_xy();
+  });
+  grid::for_each_cell(box(g.ny), [=](int i, int j, int k) {
+    const MapGradient A = strain.edge_xz(i, j, k);
+    xz(i, j, k) = volume_factor(A.determinant()) * A.product_xz();
+  });
+  grid::for_each_cell(box(g.ny + 1), [=](int i, int j, int k) {
+    const MapGradient A = strain.edge_yz(i, j, k);
+    yz(i, j, k) = volume_factor(A.determinant()) * A.product_yz();
+  });
+  limited_cells_ +=
+      static_cast<std::int64_t>(grid::sum_cells(grid::rows(g, first_row, g.ny), [=](int i, int j, int k) {
+        return phi(i, j, k) > 0 && volume(i, j, k) < kLeastVolume ? 1.0 : 0.0;
+      }));
+  const auto around = [&](int j) { return grid::Box{-1, g.nx + 1, j, j + 1, -1, g.nz + 1}; };
+  const int top = g.ny - 1;
+  grid::for_each_cell(around(g.ny), [=](int i, int j, int k) { phi(i, j, k) = phi(i, top, k); });
+  if (first_row == 0) {
+    grid::for_each_cell(around(-1), [=](int i, int j, int k) { phi(i, j, k) = phi(i, 0, k); });
+  }
+}
+
+}  // namespace softwall::solid::reference_map

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "solver/case/case.hpp"
+#include "solver/grid/halo.hpp"
+#include "solver/solid/formulation.hpp"
+#include "solver/solid/reference_map/surface.hpp"
+
+/// The reference map (Kamrin, Rycroft & Nave, J. Mech. Phys. Solids 60, 2012; Rycroft, Wu, Yu & Kamrin, J.
+/// Fluid Mech. 898, 2020): instead of phi and B the solid carries where its material came from, x - d,
+///   d^k = d^{k-1} + dt [ beta (u - u.grad d)^{k-1} + gamma (u - u.grad d)^{k-2} ]
+/// and both follow from d: B from its gradient (strain.hpp), phi from the material surface y - d_y = its
+/// height at rest (surface.hpp). Nothing is stretched by the fluid, nothing smears. Below the surface d is
+/// extrapolated after every substep (extrapolation.hpp). Where the solid touches a wall it holds fast: d = 0.
+namespace softwall::solid::reference_map {
+
+class ReferenceMap : public Formulation {
+ public:
+  ReferenceMap(WenoWeights weights, const Grid& grid, grid::Halo& halo);
+
+  [[nodiscard]] int lowest_row(const Material& material) const override;
+  void make_consistent(Material& material, int first_row) override;
+  void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
+                 int first_row) override;
+  /// With any solid in them and det A below kLeastVolume (strain.hpp).
+  [[nodiscard]] std::int64_t limited_cells() const override { return limited_cells_; }
+
+ private:
+  void update(grid::VectorField& displacement, const Stage& stage, double dt, int first_row);
+  void extend_below_surface(Material& material, int first_row);
+  void fill_beyond_walls(grid::VectorField& displacement, int first_row) const;
+  void find_strain(Material& material, int first_row);
+
+  const Grid& grid_;
+  WenoWeights weights_;
+  grid::Halo& halo_;
+  grid::VectorField now_, before_;
+  grid::Field volume_;  ///< det A at centers
+  Heights own_heights_, wide_heights_;
+  std::int64_t limited_cells_ = 0;
+};
+
+}  // namespace softwall::solid::reference_map

@@ -1,0 +1,154 @@
+#pragma once
+
+#include "solver/grid/field.hpp"
+#include "solver/solid/symmetric_tensor.hpp"
+
+/// Deformation from the displacement d. The reference map xi = x - d has the gradient A = I - grad(d), the
+/// deformation gradient is F = A^-1, and B = F F^T. With C the cofactors of A^T, so that F = C / det A,
+///   B = (det A)^-2 C C^T.
+/// det A = 1 in the continuum. Of the discrete d it is not quite, least of all beside the surface, and a
+/// false change of volume must make no stress: the tensor used is that of the volume-preserving part of F,
+///   B = (det A)^(2/3) F F^T = (det A)^(-4/3) C C^T,  det B = 1,
+/// which is positive definite by construction.
+///
+/// d lives where u does, so each gradient has a place of its own, as the velocity's: d_x/dx at centers,
+/// d_x/dy and d_y/dx on xy edges, ... Each component of B is formed where it lives (normal ones at centers,
+/// shear on edges), from its own gradients there and the means of the others.
+namespace softwall::solid::reference_map {
+
+using grid::Real;
+using grid::View;
+
+/// det A below it is taken for it: only a displacement torn apart by the grid gets there.
+inline constexpr Real kLeastVolume = 0.1;
+
+/// A = I - grad(d) at one point; xy is -d(d_x)/dy.
+struct MapGradient {
+  Real xx, xy, xz, yx, yy, yz, zx, zy, zz;
+
+  // Cofactors: row a of F is (a_x, a_y, a_z) / det A.
+  [[nodiscard]] Real f_xx() const { return yy * zz - yz * zy; }
+  [[nodiscard]] Real f_xy() const { return xz * zy - xy * zz; }
+  [[nodiscard]] Real f_xz() const { return xy * yz - xz * yy; }
+  [[nodiscard]] Real f_yx() const { return yz * zx - yx * zz; }
+  [[nodiscard]] Real f_yy() const { return xx * zz - xz * zx; }
+  [[nodiscard]] Real f_yz() const { return xz * yx - xx * yz; }
+  [[nodiscard]] Real f_zx() const { return yx * zy - yy * zx; }
+  [[nodiscard]] Real f_zy() const { return xy * zx - xx * zy; }
+  [[nodiscard]] Real f_zz() const { return xx * yy - xy * yx; }
+  [[nodiscard]] Real determinant() const { return xx * f_xx() + xy * f_yx() + xz * f_zx(); }
+
+  [[nodiscard]] Real square_x() const { return f_xx() * f_xx() + f_xy() * f_xy() + f_xz() * f_xz(); }
+  [[nodiscard]] Real square_y() const { return f_yx() * f_yx() + f_yy() * f_yy() + f_yz() * f_yz(); }
+  [[nodiscard]] Real square_z() const { return f_zx() * f_zx() + f_zy() * f_zy() + f_zz() * f_zz(); }
+  [[nodiscard]] Real product_xy() const { return f_xx() * f_yx() + f_xy() * f_yy() + f_xz() * f_yz(); }
+  [[nodiscard]] Real product_xz() const { return f_xx() * f_zx() + f_xy() * f_zy() + f_xz() * f_zz(); }
+  [[nodiscard]] Real product_yz() const { return f_yx() * f_zx() + f_yy() * f_zy() + f_yz() * f_zz(); }
+};
+
+/// det A^(-4/3), by Newton's iteration for r = det A^(-1/3): r <- r (4 - det A r^3) / 3. Exactly 1 for 1; for
+/// 0.3 < det A < 4 right to round-off. Without branches, so that the compiler can vectorize.
+[[gnu::always_inline]] inline Real volume_factor(Real determinant) {
+  const Real J = determinant < kLeastVolume ? kLeastVolume : determinant;
+  Real r = 3 / (2 + J);
+  for (int n = 0; n < 5; ++n) r *= (4 - J * r * r * r) / 3;
+  return r * r * r * r;
+}
+
+/// B at a point where A is known.
+inline SymmetricTensor left_cauchy_green(const MapGradient& A) {
+  const Real factor = volume_factor(A.determinant());
+  return {factor * A.square_x(),   factor * A.square_y(),   factor * A.square_z(),
+          factor * A.product_xy(), factor * A.product_xz(), factor * A.product_yz()};
+}
+
+/// A at every place of the grid. (i, j, k) names the low corner's edge, as for the velocity.
+struct Strain {
+  View<const Real> x, y, z;  ///< displacement
+  const Real *inv_dy, *inv_dy_face, *upper_share;
+  Real inv_dx, inv_dz;
+
+  Real across_y(int j, Real upper, Real lower) const {
+    return upper_share[j] * upper + (1 - upper_share[j]) * lower;
+  }
+
+  [[gnu::always_inline]] MapGradient center(int i, int j, int k) const {
+    // d/dy of a quantity at centers of rows, as the mean of its differences across both faces.
+    const auto in_y = [=, this](const View<const Real>& q, int a, int c) {
+      return ((q(a, j + 1, c) - q(a, j, c)) * inv_dy_face[j + 1] +
+              (q(a, j, c) - q(a, j - 1, c)) * inv_dy_face[j]) /
+             2;
+    };
+    const auto sum_x = [=, this](int b, int c) { return x(i, b, c) + x(i + 1, b, c); };
+    const auto sum_y = [=, this](int a, int c) { return y(a, j, c) + y(a, j + 1, c); };
+    const auto sum_z = [=, this](int a, int b) { return z(a, b, k) + z(a, b, k + 1); };
+    return {
+        1 - (x(i + 1, j, k) - x(i, j, k)) * inv_dx,        -(in_y(x, i, k) + in_y(x, i + 1, k)) / 2,
+        -(sum_x(j, k + 1) - sum_x(j, k - 1)) / 4 * inv_dz, -(sum_y(i + 1, k) - sum_y(i - 1, k)) / 4 * inv_dx,
+        1 - (y(i, j + 1, k) - y(i, j, k)) * inv_dy[j],     -(sum_y(i, k + 1) - sum_y(i, k - 1)) / 4 * inv_dz,
+        -(sum_z(i + 1, j) - sum_z(i - 1, j)) / 4 * inv_dx, -(in_y(z, i, k) + in_y(z, i, k + 1)) / 2,
+        1 - (z(i, j, k + 1) - z(i, j, k)) * inv_dz};
+  }
+  [[gnu::always_inline]] MapGradient edge_xy(int i, int j, int k) const {
+    const auto wide_x = [=, this](int b) { return x(i + 1, b, k) - x(i - 1, b, k); };
+    const auto wide_xz = [=, this](int b) { return x(i, b, k + 1) - x(i, b, k - 1); };
+    const auto two_z = [=, this](int a, int b) { return z(a, b, k) + z(a, b, k + 1); };
+    const auto wide_z = [=, this](int b) {
+      return z(i, b, k + 1) - z(i, b, k) + z(i - 1, b, k + 1) - z(i - 1, b, k);
+    };
+    return {
+        1 - across_y(j, wide_x(j), wide_x(j - 1)) / 2 * inv_dx,
+        -(x(i, j, k) - x(i, j - 1, k)) * inv_dy_face[j],
+        -across_y(j, wide_xz(j), wide_xz(j - 1)) / 2 * inv_dz,
+        -(y(i, j, k) - y(i - 1, j, k)) * inv_dx,
+        1 - (y(i, j + 1, k) - y(i, j - 1, k) + y(i - 1, j + 1, k) - y(i - 1, j - 1, k)) / 4 * inv_dy_face[j],
+        -(y(i, j, k + 1) - y(i, j, k - 1) + y(i - 1, j, k + 1) - y(i - 1, j, k - 1)) / 4 * inv_dz,
+        -across_y(j, two_z(i, j) - two_z(i - 1, j), two_z(i, j - 1) - two_z(i - 1, j - 1)) / 2 * inv_dx,
+        -(two_z(i, j) - two_z(i, j - 1) + two_z(i - 1, j) - two_z(i - 1, j - 1)) / 4 * inv_dy_face[j],
+        1 - across_y(j, wide_z(j), wide_z(j - 1)) / 2 * inv_dz};
+  }
+  [[gnu::always_inline]] MapGradient edge_xz(int i, int j, int k) const {
+    const auto two_y = [=, this](int a, int c) { return y(a, j, c) + y(a, j + 1, c); };
+    const auto high_y = [=, this](int a, int c) { return (y(a, j + 1, c) - y(a, j, c)) * inv_dy[j]; };
+    const auto in_y = [=, this](const View<const Real>& q, int a, int c) {
+      return ((q(a, j + 1, c) - q(a, j, c)) * inv_dy_face[j + 1] +
+              (q(a, j, c) - q(a, j - 1, c)) * inv_dy_face[j]) /
+             2;
+    };
+    return {1 - (x(i + 1, j, k) - x(i - 1, j, k) + x(i + 1, j, k - 1) - x(i - 1, j, k - 1)) / 4 * inv_dx,
+            -(in_y(x, i, k) + in_y(x, i, k - 1)) / 2,
+            -(x(i, j, k) - x(i, j, k - 1)) * inv_dz,
+            -(two_y(i, k) - two_y(i - 1, k) + two_y(i, k - 1) - two_y(i - 1, k - 1)) / 4 * inv_dx,
+            1 - (high_y(i, k) + high_y(i - 1, k) + high_y(i, k - 1) + high_y(i - 1, k - 1)) / 4,
+            -(two_y(i, k) - two_y(i, k - 1) + two_y(i - 1, k) - two_y(i - 1, k - 1)) / 4 * inv_dz,
+            -(z(i, j, k) - z(i - 1, j, k)) * inv_dx,
+            -(in_y(z, i, k) + in_y(z, i - 1, k)) / 2,
+            1 - (z(i, j, k + 1) - z(i, j, k - 1) + z(i - 1, j, k + 1) - z(i - 1, j, k - 1)) / 4 * inv_dz};
+  }
+  [[gnu::always_inline]] MapGradient edge_yz(int i, int j, int k) const {
+    const auto wide_z = [=, this](int b) { return z(i, b, k + 1) - z(i, b, k - 1); };
+    const auto wide_zx = [=, this](int b) { return z(i + 1, b, k) - z(i - 1, b, k); };
+    const auto two_x = [=, this](int b, int c) { return x(i, b, c) + x(i + 1, b, c); };
+    const auto wide_x = [=, this](int b) {
+      return x(i + 1, b, k) - x(i, b, k) + x(i + 1, b, k - 1) - x(i, b, k - 1);
+    };
+    return {
+        1 - across_y(j, wide_x(j), wide_x(j - 1)) / 2 * inv_dx,
+        -(two_x(j, k) - two_x(j - 1, k) + two_x(j, k - 1) - two_x(j - 1, k - 1)) / 4 * inv_dy_face[j],
+        -across_y(j, two_x(j, k) - two_x(j, k - 1), two_x(j - 1, k) - two_x(j - 1, k - 1)) / 2 * inv_dz,
+        -(y(i + 1, j, k) - y(i - 1, j, k) + y(i + 1, j, k - 1) - y(i - 1, j, k - 1)) / 4 * inv_dx,
+        1 - (y(i, j + 1, k) - y(i, j - 1, k) + y(i, j + 1, k - 1) - y(i, j - 1, k - 1)) / 4 * inv_dy_face[j],
+        -(y(i, j, k) - y(i, j, k - 1)) * inv_dz,
+        -across_y(j, wide_zx(j), wide_zx(j - 1)) / 2 * inv_dx,
+        -(z(i, j, k) - z(i, j - 1, k)) * inv_dy_face[j],
+        1 - across_y(j, wide_z(j), wide_z(j - 1)) / 2 * inv_dz};
+  }
+};
+
+/// The kernels' view of a displacement, whose ghost cells they read.
+[[nodiscard]] inline Strain strain_of(const grid::VectorField& d, const grid::Grid& g) {
+  return {d.x.view(),           d.y.view(),           d.z.view(),     g.inv_dy.data(),
+          g.inv_dy_face.data(), g.upper_share.data(), Real(1 / g.dx), Real(1 / g.dz)};
+}
+
+}  // namespace softwall::solid::reference_map

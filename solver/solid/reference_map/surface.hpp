@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "solver/grid/field.hpp"
+
+/// The surface of the solid as a height over each column: the material surface y - d_y = its height at rest.
+namespace softwall::solid::reference_map {
+
+using grid::Grid;
+using grid::Real;
+
+using grid::View;
+
+/// Heights eta of the surface over the centers of this rank's columns and `ghost` more on every side, h.
+class Heights {
+ public:
+  Heights(const Grid& grid, int ghost);
+
+  [[nodiscard]] double operator()(int i, int k) const { return row(k)[i]; }
+  /// Address of column (0, k).
+  [[nodiscard]] const double* row(int k) const { return values_.data() + offset(k); }
+
+  /// Follows every column down from the upper wall to where y - d_y first falls to `at_rest`, linear between
+  /// faces; where it never does, the solid reaches the lower wall. `displacement`: d_y on y faces.
+  void find(const grid::Field& displacement, double at_rest);
+  /// The lowest over this rank's own columns.
+  [[nodiscard]] double lowest() const;
+
+ private:
+  [[nodiscard]] std::ptrdiff_t offset(int k) const { return std::ptrdiff_t(k + ghost_) * stride_ + ghost_; }
+  const Grid& grid_;
+  int ghost_;
+  std::ptrdiff_t stride_;
+  std::vector<double> values_;
+};
+
+/// phi: the share of each cell that lies above the surface, taken bilinear between the centers of columns and
+/// measured on 4 x 4 strips of each column. Over a column phi adds up to the mean depth of its strips
+/// exactly. Rows j0 <= j < ny, in this rank's columns and one more on every side (heights: two more).
+void fill_fraction(const Heights& heights, const Grid& grid, int j0, grid::Field& phi);
+
+}  // namespace softwall::solid::reference_map

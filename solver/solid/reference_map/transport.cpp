@@ -1,0 +1,115 @@
+#include "solver/solid/reference_map/transport.hpp"
+
+#include <algorithm>
+
+#include "solver/grid/cell_loop.hpp"
+#include "solver/solid/weno.hpp"
+
+namespace softwall::solid::reference_map {
+
+namespace {
+
+/// Upwind derivative at a point from the differences between it and its six nearest neighbours in line,
+/// d[m]: from neighbour m - 3 to m - 2.
+template <WenoWeights kWeights>
+[[gnu::always_inline]] inline Real upwind_derivative(Real d0, Real d1, Real d2, Real d3, Real d4, Real d5,
+                                                     Real velocity) {
+  const bool forward = velocity > 0;
+  return weno5<kWeights>(forward ? d0 : d5, forward ? d1 : d4, forward ? d2 : d3, forward ? d3 : d2,
+                         forward ? d4 : d1);
+}
+
+template <WenoWeights kWeights>
+[[gnu::always_inline]] inline Real along(const Real* q, std::ptrdiff_t stride, Real inv_spacing,
+                                         Real velocity) {
+  const auto difference = [=](int m) { return (q[m * stride] - q[(m - 1) * stride]) * inv_spacing; };
+  return upwind_derivative<kWeights>(difference(-2), difference(-1), difference(0), difference(1),
+                                     difference(2), difference(3), velocity);
+}
+
+/// The same in y, where spacings differ: inv_below[m] is that between rows j + m - 1 and j + m.
+template <WenoWeights kWeights>
+[[gnu::always_inline]] inline Real along_y(const Real* q, std::ptrdiff_t stride, const Real* inv_below,
+                                           Real velocity) {
+  const auto difference = [=](int m) { return (q[m * stride] - q[(m - 1) * stride]) * inv_below[m]; };
+  return upwind_derivative<kWeights>(difference(-2), difference(-1), difference(0), difference(1),
+                                     difference(2), difference(3), velocity);
+}
+
+/// The velocity where a component of the displacement lives.
+struct Around {
+  View<const Real> u, v, w;
+  const Real* upper_share;
+  template <class Q>
+  Real across_y(int j, const Q& q) const {
+    return upper_share[j] * q(j) + (1 - upper_share[j]) * q(j - 1);
+  }
+};
+struct OnXFace : Around {
+  Real x(int i, int j, int k) const { return u(i, j, k); }
+  Real y(int i, int j, int k) const {
+    return (v(i, j, k) + v(i - 1, j, k) + v(i, j + 1, k) + v(i - 1, j + 1, k)) / 4;
+  }
+  Real z(int i, int j, int k) const {
+    return (w(i, j, k) + w(i - 1, j, k) + w(i, j, k + 1) + w(i - 1, j, k + 1)) / 4;
+  }
+  Real own(int i, int j, int k) const { return x(i, j, k); }
+};
+struct OnYFace : Around {
+  Real x(int i, int j, int k) const {
+    return across_y(j, [=, this](int row) { return (u(i, row, k) + u(i + 1, row, k)) / 2; });
+  }
+  Real y(int i, int j, int k) const { return v(i, j, k); }
+  Real z(int i, int j, int k) const {
+    return across_y(j, [=, this](int row) { return (w(i, row, k) + w(i, row, k + 1)) / 2; });
+  }
+  Real own(int i, int j, int k) const { return y(i, j, k); }
+};
+struct OnZFace : Around {
+  Real x(int i, int j, int k) const {
+    return (u(i, j, k) + u(i, j, k - 1) + u(i + 1, j, k) + u(i + 1, j, k - 1)) / 4;
+  }
+  Real y(int i, int j, int k) const {
+    return (v(i, j, k) + v(i, j, k - 1) + v(i, j + 1, k) + v(i, j + 1, k - 1)) / 4;
+  }
+  Real z(int i, int j, int k) const { return w(i, j, k); }
+  Real own(int i, int j, int k) const { return z(i, j, k); }
+};
+
+template <WenoWeights kWeights, class PointVelocity>
+void rate_of(const grid::Field& component, const PointVelocity& velocity, const Grid& g,
+             const Real* inv_below, int j0, grid::Field& rate) {
+  const auto d = component.view();
+  const auto out = rate.view();
+  const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz);
+  grid::for_each_cell(grid::rows(g, j0, g.ny), [=](int i, int j, int k) {
+    const Real* const q = &d(i, j, k);
+    const Real a = velocity.x(i, j, k), b = velocity.y(i, j, k), c = velocity.z(i, j, k);
+    out(i, j, k) = velocity.own(i, j, k) - a * along<kWeights>(q, 1, inv_dx, a) -
+                   b * along_y<kWeights>(q, d.stride_y, inv_below + j, b) -
+                   c * along<kWeights>(q, d.stride_z, inv_dz, c);
+  });
+}
+
+template <WenoWeights kWeights>
+void rates(const grid::VectorField& d, const grid::VectorField& velocity, const Grid& g, int first_row,
+           grid::VectorField& rate) {
+  const Around around{velocity.x.view(), velocity.y.view(), velocity.z.view(), g.upper_share.data()};
+  const Real *between_centers = g.inv_dy_face.data(), *between_faces = g.inv_dy.data() - 1;
+  rate_of<kWeights>(d.x, OnXFace{around}, g, between_centers, first_row, rate.x);
+  rate_of<kWeights>(d.y, OnYFace{around}, g, between_faces, std::max(first_row, 1), rate.y);
+  rate_of<kWeights>(d.z, OnZFace{around}, g, between_centers, first_row, rate.z);
+}
+
+}  // namespace
+
+void find_rates(const grid::VectorField& displacement, const grid::VectorField& velocity, const Grid& grid,
+                WenoWeights weights, int first_row, grid::VectorField& rate) {
+  if (weights == WenoWeights::kJiangShu) {
+    rates<WenoWeights::kJiangShu>(displacement, velocity, grid, first_row, rate);
+  } else {
+    rates<WenoWeights::kZ>(displacement, velocity, grid, first_row, rate);
+  }
+}
+
+}  // namespace softwall::solid::reference_map
