@@ -22,7 +22,7 @@ inline std::vector<NamedSolid> solids() {
   return {{"TensorB", paper}};
 }
 
-inline std::string name_of(const testing::TestParamInfo<NamedSolid>& info) { return info.param.name; }
+inline std::string solid_name(const testing::TestParamInfo<NamedSolid>& info) { return info.param.name; }
 
 /// The same solid with another modulus and viscosity.
 inline SolidSpec made_of(SolidSpec spec, double G, double viscosity_ratio) {

@@ -163,7 +163,7 @@ TEST_P(Energy, OfALayerDrivenByAWallAndByTheGradientIsAccountedFor) {
   EXPECT_LT(gaps.back(), 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Solids, Energy, testing::ValuesIn(support::solids()), support::name_of);
+INSTANTIATE_TEST_SUITE_P(Solids, Energy, testing::ValuesIn(support::solids()), support::solid_name);
 
 }  // namespace
 }  // namespace softwall::time

@@ -157,7 +157,7 @@ TEST(InterfaceMode, FitsItsLayersAndNoOthers) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Solids, InterfaceModes, testing::ValuesIn(support::solids()), support::name_of);
+INSTANTIATE_TEST_SUITE_P(Solids, InterfaceModes, testing::ValuesIn(support::solids()), support::solid_name);
 
 }  // namespace
 }  // namespace softwall::time

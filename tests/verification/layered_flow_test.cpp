@@ -118,7 +118,7 @@ TEST_P(PoiseuilleUnderALayer, OfTenTimesTheViscosityIsFirstOrder) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Solids, PoiseuilleUnderALayer, testing::ValuesIn(support::solids()),
-                         support::name_of);
+                         support::solid_name);
 
 }  // namespace
 }  // namespace softwall::time

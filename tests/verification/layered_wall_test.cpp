@@ -139,7 +139,7 @@ TEST_P(LayeredWall, PurelyElasticIsFirstOrder) {
   EXPECT_LT(fine.velocity, 2e-2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Solids, LayeredWall, testing::ValuesIn(support::solids()), support::name_of);
+INSTANTIATE_TEST_SUITE_P(Solids, LayeredWall, testing::ValuesIn(support::solids()), support::solid_name);
 
 }  // namespace
 }  // namespace softwall::time
