@@ -14,7 +14,9 @@ import tempfile
 import unittest
 
 WRITER, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
-SCRIPTS = sorted((ROOT / "analysis").glob("plot_*.py"))
+ALL_SCRIPTS = sorted((ROOT / "analysis").glob("plot_*.py"))
+# Those for closed boxes draw snapshots, which take a solver to make: end_to_end/test_closed_box.py draws them.
+SCRIPTS = [script for script in ALL_SCRIPTS if "from box_data import" not in script.read_text()]
 
 
 def make_campaign(folder):
@@ -79,11 +81,11 @@ class Figures(unittest.TestCase):
 
     def test_empty_folder_is_explained(self):
         with tempfile.TemporaryDirectory() as folder:
-            for script in SCRIPTS:
+            for script in ALL_SCRIPTS:
                 with self.subTest(script.name):
                     done = draw(script, folder)
                     self.assertEqual(done.returncode, 1)
-                    self.assertIn("has statistics yet", done.stderr)
+                    self.assertRegex(done.stderr, "has (statistics|left snapshots) yet")
                     self.assertNotIn("Traceback", done.stderr)
 
     def test_log_law_refuses_an_unknown_case(self):

@@ -82,12 +82,14 @@ class Stop(EndToEndTest):
         self.assertEqual(outcomes[0]["outcome"], "stalled")
 
     def test_attempts_of_limited_length_add_up_to_the_same_bits(self):
-        execution = dict(CAMPAIGN["execution"], walltime_seconds=2)
-        limited = self.campaign(changed(CAMPAIGN, execution=execution, physics=dict(
-            CAMPAIGN["physics"], time_step={"fixed_dt": 0.0005})))
-        self.run_to_end(limited)
-        free = self.campaign(changed(CAMPAIGN, physics=dict(CAMPAIGN["physics"], time_step={"fixed_dt": 0.0005})))
+        # Long enough for several attempts however fast the solver is: what the free campaign takes is the measure.
+        long = changed(CAMPAIGN, physics=dict(CAMPAIGN["physics"], time_step={"fixed_dt": 0.0002}))
+        free = self.campaign(long)
         self.run_to_end(free)
+        longest = free.query("SELECT max(wall_seconds) AS s FROM attempts")[0]["s"]
+        execution = dict(CAMPAIGN["execution"], walltime_seconds=max(1, int(longest / 2)))
+        limited = self.campaign(changed(long, execution=execution))
+        self.run_to_end(limited)
         self.assertGreater(limited.query("SELECT max(attempt) AS n FROM attempts")[0]["n"], 1)
         self.assert_same_outcome(limited, free)
 
