@@ -58,7 +58,7 @@ export LSAN_OPTIONS="suppressions=$PWD/tests/sanitizer/leaks.txt:print_suppressi
 export ASAN_OPTIONS=fast_unwind_on_malloc=0
 export UBSAN_OPTIONS=print_stacktrace=1
 # One rank each: what several ranks add is tested above, and instrumented ranks on few cores take minutes to wait.
-run_tests sanitize --exclude-regex '[.]ranks[2-9]$|TakeLittleTime'
+run_tests sanitize --label-exclude long --exclude-regex '[.]ranks[2-9]$|TakeLittleTime'
 
 step "Done"
 ((layout == 0)) || echo "clang-format or clang-tidy has complaints: see above."
