@@ -44,8 +44,9 @@ step "Tests"
 run_tests release
 
 step "clang-tidy on the sources that changed last"
+# sed takes the first ten but reads on; head would close the pipe, which pipefail makes a failure.
 git log -n 40 --format= --name-only --diff-filter=d -- '*.cpp' | awk '!seen[$0]++' | { grep -v '^tests/' || true; } |
-  while read -r file; do [[ ! -f $file ]] || echo "$file"; done | head -n 10 |
+  while read -r file; do [[ ! -f $file ]] || echo "$file"; done | sed -n 1,10p |
   xargs -r -n 5 -P "$jobs" clang-tidy -p build --quiet --extra-arg=-Wno-unknown-warning-option 2>/dev/null || layout=1
 ((layout == 1)) || echo "as .clang-tidy says"
 
