@@ -44,7 +44,7 @@ step "The paper's tables 1 and 2 beside these values"
 "$softwall" table runs/quickstart
 cat <<'END'
 
-A coarse grid and a short average: read the trend, not the digits (runs/quickstart/README.md says why).
+A coarse grid and a short average: trust the intervals, not the digits (runs/quickstart/README.md says why).
 Everything is in runs/quickstart/: results.db (SQLite), cases/ (a folder a case). To go on from here:
   export PATH="$PWD/build-native/bin:$PATH"
   softwall query runs/quickstart "SELECT label, re_tau, re_tau_ci95 FROM results"
