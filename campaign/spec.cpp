@@ -34,12 +34,6 @@ void check_cores(const json& execution, std::vector<Mistake>& mistakes) {
                           "at most the " + std::to_string(cores) + " cores given"});
 }
 
-void check_flow(const json& document, std::vector<Mistake>& mistakes) {
-  if (document.contains("precursor") &&
-      document.at("physics").value("flow", "elastic_wall") == "rigid_channel")
-    mistakes.push_back({"/precursor", "given", "only elastic walls start from a precursor: leave it out"});
-}
-
 /// Defaults of the campaign's own members; those of the physics belong to the case and are filled in there,
 /// after the precursor's and the sweep's values have been put over the common ones.
 json filled(const json& document) {
@@ -68,7 +62,6 @@ void add_cross_checks(const json& document, std::vector<Mistake>& mistakes) {
   if (sound({"/sweep"}, mistakes))
     for (auto& more : sweep_mistakes(document.at("sweep"))) mistakes.push_back(std::move(more));
   if (sound({"/execution"}, mistakes)) check_cores(document.at("execution"), mistakes);
-  if (sound({"/physics"}, mistakes)) check_flow(document, mistakes);
 }
 
 CampaignSpec spec_of_cases(const json& document) {

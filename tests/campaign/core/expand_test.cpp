@@ -148,6 +148,25 @@ TEST(Expand, RigidChannelsCanBeSwept) {
   EXPECT_EQ(labels(campaign_of(document)), "rigid_channel");
 }
 
+/// A fine grid may go on from a coarse one's turbulence.
+TEST(Expand, RigidChannelsMayHaveAPrecursor) {
+  json document = elastic_campaign();
+  document["physics"]["flow"] = "rigid_channel";
+  document["physics"]["grid"]["ny_solid"] = 0;
+  document["physics"].erase("solid");
+  document["sweep"] = {{"grid", {{"nx", {64, 96}}}}};
+  const Campaign campaign = campaign_of(document);
+  EXPECT_EQ(labels(campaign), "precursor_nx=32 nx=64 nx=96");
+  EXPECT_EQ(campaign.cases[1].precursor_id, campaign.cases[0].definition.id);
+  EXPECT_EQ(campaign.cases[1].definition.physics.initial.type, InitialType::kPrecursor);
+}
+
+TEST(Expand, ClosedBoxesStartByThemselves) {
+  json document = elastic_campaign();
+  document["physics"]["flow"] = "cavity";
+  EXPECT_NE(complaint_about(document).find("a closed box starts by itself"), std::string::npos);
+}
+
 TEST(Expand, RanksComeFromExecution) {
   json document = elastic_campaign();
   document["execution"] = {{"ranks", 2}, {"precursor_ranks", 4}};

@@ -58,12 +58,6 @@ TEST(Spec, CoresMustHoldTheRanks) {
   EXPECT_EQ(message.find("/execution/ranks"), std::string::npos) << message;
 }
 
-TEST(Spec, OnlyElasticWallsHaveAPrecursor) {
-  json document = elastic_campaign();
-  document["physics"]["flow"] = "rigid_channel";
-  EXPECT_NE(complaint_about(document).find("/precursor: given"), std::string::npos);
-}
-
 /// The campaign's schema must know every parameter of a case that a person sets.
 TEST(Spec, SchemaCoversTheCase) {
   const json& physics = *case_schema().part(json::json_pointer("/physics"));
