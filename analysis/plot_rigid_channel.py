@@ -1,0 +1,219 @@
+#!/usr/bin/env python3
+"""The rigid channel of runs/validation against Moser, Kim & Mansour, Phys. Fluids 11 (1999): mean velocity, rms,
+shear stress and two-point correlations, with 95 % intervals; prints every number that a bar is set on.
+
+Profiles come from statistics.h5, both halves of the channel as one; correlations from the snapshots in fields/.
+"""
+
+import math
+import sys
+
+import h5py
+import numpy as np
+
+from box_data import judge
+from campaign_data import arguments, caption, plt, read_campaign, read_reference, save
+
+BATCHES, STUDENT_T = 16, 2.131  # neighbouring blocks merged, and the 95 % quantile for one batch less
+CORRELATED_AT = (10, 98)  # y+ of the correlations shown
+
+
+class Channel:
+    """Profiles of one half of a rigid channel in wall units, and how they vary from batch to batch."""
+
+    def __init__(self, case):
+        self.case = case
+        self.reynolds = case.reynolds
+        self.y = case.y["center"][: len(case.y["center"]) // 2]
+        self.y_face = case.y["face"][: len(case.y["face"]) // 2 + 1]
+        batches = np.array_split(np.arange(len(case.weight)), BATCHES)
+        whole = np.arange(len(case.weight))
+        self.values = self._profiles(whole)
+        left_out = [self._profiles(np.setdiff1d(whole, batch)) for batch in batches]
+        self.ci95 = {name: self._jackknife([each[name] for each in left_out]) for name in self.values}
+
+    @staticmethod
+    def _jackknife(estimates):
+        """Half the 95 % interval, from the estimates that leave out one batch each."""
+        estimates = np.array(estimates)
+        spread = ((estimates - estimates.mean(axis=0)) ** 2).sum(axis=0)
+        return STUDENT_T * np.sqrt((BATCHES - 1) / BATCHES * spread)
+
+    def _mean(self, name, blocks):
+        location, values = self.case.profiles[name]
+        return np.average(values[blocks], axis=0, weights=self.case.weight[blocks])
+
+    def _half(self, name, blocks, sign=1):
+        values = self._mean(name, blocks)
+        half = len(values) // 2 if len(values) % 2 == 0 else len(values) // 2 + 1
+        return (values[:half] + sign * values[::-1][:half]) / 2
+
+    def _profiles(self, blocks):
+        """Everything that is compared, over these blocks of time."""
+        weight = self.case.weight[blocks]
+        gradient = np.average(self.case.series["driving_gradient"][blocks], weights=weight)
+        u_tau = math.sqrt(gradient)  # both walls: 2 u_tau^2 = 2 P
+        mean = self._half("u", blocks)
+        rms = {name: np.sqrt(self._half(2 * name, blocks) - (mean**2 if name == "u" else 0)) / u_tau
+               for name in "uvw"}
+        uv, viscous = self._half("uv", blocks, -1), self._half("viscous_stress", blocks, -1)
+        line = gradient * (1 - self.y_face)
+        return {"re_tau": u_tau * self.reynolds, "u_max": mean.max(), "u": mean / u_tau, "u'": rms["u"], "v'": rms["v"],
+                "w'": rms["w"], "-uv": -uv / u_tau**2, "viscous": viscous / u_tau**2,
+                "departure": (viscous - uv - line) / u_tau**2}
+
+    @property
+    def y_plus(self):
+        return self.y * self.values["re_tau"]
+
+    @property
+    def y_plus_face(self):
+        return self.y_face * self.values["re_tau"]
+
+
+def peak(y, values):
+    """Where and how high the parabola through the largest value and its neighbours is."""
+    n = int(np.clip(np.argmax(values), 1, len(values) - 2))
+    a, b, c = np.polyfit(y[n - 1 : n + 2], values[n - 1 : n + 2], 2)
+    return -b / (2 * a), c - b * b / (4 * a)
+
+
+class Correlations:
+    """R_ii(separation) / R_ii(0) along x and z in the rows nearest to given distances from the walls."""
+
+    def __init__(self, case, y_plus_per_h):
+        files = sorted(case.directory.glob("fields/fields-*.h5"))
+        files = [file for file in files if self._time(file) >= case.start[0]]
+        self.snapshots = len(files)
+        if not files:
+            return
+        self.rows = {at: int(np.argmin(abs(case.y["center"] * y_plus_per_h - at))) for at in CORRELATED_AT}
+        planes = {(name, at): self._planes(files, name, row) for name in "uvw" for at, row in self.rows.items()}
+        with h5py.File(files[0]) as data:
+            self.separation = {axis: np.diff(data[axis][:2])[0] * np.arange((len(data[axis]) - 1) // 2 + 1)
+                               for axis in "xz"}
+        self.along = {axis: {key: self._correlate(values, number) for key, values in planes.items()}
+                      for number, axis in ((2, "x"), (1, "z"))}
+
+    @staticmethod
+    def _time(file):
+        with h5py.File(file) as data:
+            return float(np.ravel(data["time"][()])[0])
+
+    @staticmethod
+    def _planes(files, name, row):
+        """Fluctuation in the row and in its mirror image, [sample][z][x]."""
+        planes = []
+        for file in files:
+            with h5py.File(file) as data:
+                planes += [data[name][:, row, :], data[name][:, data[name].shape[1] - 1 - row, :]]
+        planes = np.array(planes, dtype=float)
+        for half in (planes[0::2], planes[1::2]):
+            half -= half.mean()
+        return planes
+
+    @staticmethod
+    def _correlate(planes, axis):
+        """Circular autocorrelation along an axis (Wiener and Khinchin), averaged over the rest."""
+        spectrum = abs(np.fft.rfft(planes, axis=axis)) ** 2
+        correlation = np.fft.irfft(spectrum, n=planes.shape[axis], axis=axis).mean(axis=tuple({0, 1, 2} - {axis}))
+        return correlation[: planes.shape[axis] // 2 + 1] / correlation[0]
+
+
+def compare(channel, reference):
+    """Prints every number with a bar."""
+    values, ci95 = channel.values, channel.ci95
+    print(f"Re_tau {values['re_tau']:.2f} +- {ci95['re_tau']:.2f} (Moser et al. scaled to this bulk Reynolds number: 178.5)")
+    judge("abs(Re_tau - 178.5)", abs(values["re_tau"] - 178.5), 1.5)
+    expected = np.interp(channel.y_plus, reference["y_plus"], reference["U_plus"])
+    judge("U+, largest relative difference", max(abs(values["u"] / expected - 1)), 0.015)
+    for name, column, bar in (("u'", "urms_plus", 0.03), ("v'", "vrms_plus", 0.03), ("w'", "wrms_plus", 0.03)):
+        compare_peak(name, (channel.y_plus, values[name]), (reference["y_plus"], reference[column]), bar)
+    compare_peak("-uv", (channel.y_plus_face, values["-uv"]), (reference["y_plus"], -reference["uv_plus"]), 0.02)
+    judge("total stress, largest departure from a line / u_tau^2", max(abs(values["departure"])), 0.01)
+    print(f"U_c / U_b {values['u_max']:.4f} +- {ci95['u_max']:.4f}")
+
+
+def compare_peak(name, ours, theirs, bar):
+    at, height = peak(*ours)
+    expected_at, expected = peak(*theirs)
+    print(f"{name}+ peak {height:.3f} at y+ {at:.1f} (Moser et al.: {expected:.3f} at {expected_at:.1f})")
+    judge(f"{name}+ peak, relative difference", abs(height / expected - 1), bar)
+
+
+def draw_profile(panel, y, channel, name, colour):
+    value, interval = channel.values[name], channel.ci95[name]
+    panel.plot(y, value, color=colour, label=f"${name}^+$" if name != "u" else "$U^+$")
+    panel.fill_between(y, value - interval, value + interval, color=colour, alpha=0.3, linewidth=0)
+
+
+def draw_profiles(axes, channel, reference):
+    crosses = {"color": "black", "marker": "+", "linestyle": "none", "markersize": 4}
+    draw_profile(axes[0], channel.y_plus, channel, "u", "blue")
+    axes[0].plot(reference["y_plus"][1:], reference["U_plus"][1:], label="Moser et al. (1999)", **crosses)
+    axes[0].set(xscale="log", xlim=(0.3, 200), xlabel="$y^+$", ylabel="$U^+$")
+    for name, column, colour in (("u'", "urms_plus", "blue"), ("v'", "vrms_plus", "red"), ("w'", "wrms_plus", "green")):
+        draw_profile(axes[1], channel.y_plus, channel, name, colour)
+        axes[1].plot(reference["y_plus"], reference[column], **crosses)
+    axes[1].set(xlim=(0, 180), xlabel="$y^+$", ylabel="rms of a fluctuation, $u_\\tau$")
+    draw_profile(axes[2], channel.y_plus_face, channel, "-uv", "blue")
+    draw_profile(axes[2], channel.y_plus_face, channel, "viscous", "red")
+    axes[2].plot(reference["y_plus"], -reference["uv_plus"], **crosses)
+    axes[2].plot(reference["y_plus"], reference["dUplus_dyplus"], **crosses)
+    total = channel.values["-uv"] + channel.values["viscous"]
+    axes[2].plot(channel.y_plus_face, total, "k-", linewidth=0.8, label="total")
+    axes[2].set(xlim=(0, 180), xlabel="$y^+$", ylabel="shear stress, $u_\\tau^2$")
+    for panel in axes:
+        panel.legend(fontsize=7)
+
+
+def draw_correlations(axes, correlations, axis):
+    reference = read_reference(f"mkm180_corr_{axis}.csv")
+    for panel, at in zip(axes, CORRELATED_AT):
+        rows = reference["y_plus_file"] == at
+        for name, colour in (("u", "blue"), ("v", "red"), ("w", "green")):
+            panel.plot(correlations.separation[axis], correlations.along[axis][name, at], color=colour,
+                       label=f"$R_{{{2 * name}}}$")
+            column = reference[f"R_{2 * name}"][rows]
+            panel.plot(reference["sep_over_h"][rows], column / column[0], "+", color=colour, markersize=4)
+        panel.set(xlim=(0, correlations.separation[axis][-1]), xlabel=f"separation in ${axis}/h$",
+                  title=f"$y^+ = {at}$")
+        panel.axhline(0, color="grey", linewidth=0.5)
+        panel.legend(fontsize=7)
+
+
+def report_correlations(correlations):
+    reference = read_reference("mkm180_corr_z.csv")
+    for at in CORRELATED_AT:
+        rows = reference["y_plus_file"] == at
+        theirs = reference["R_uu"][rows] / reference["R_uu"][rows][0]
+        ours = correlations.along["z"]["u", at]
+        reached = reference["sep_over_h"][rows] <= correlations.separation["z"][-1]
+        there = np.interp(reference["sep_over_h"][rows][reached], correlations.separation["z"], ours)
+        print(f"R_uu(z) at y+ {at}: least {ours.min():.3f} at {correlations.separation['z'][ours.argmin()]:.3f} h "
+              f"(Moser et al.: {theirs.min():.3f} at {reference['sep_over_h'][rows][theirs.argmin()]:.3f} h); "
+              f"largest difference {max(abs(there - theirs[reached])):.3f}")
+
+
+def main():
+    options = arguments(__doc__)
+    cases = [case for case in read_campaign(options.campaign) if not case.elastic]
+    case = max(cases, key=lambda each: len(each.y["center"]))
+    if len(case.weight) < BATCHES:
+        sys.exit(f"{case.label} has {len(case.weight)} blocks; intervals need {BATCHES}")
+    channel = Channel(case)
+    reference = read_reference("mkm180_profiles.csv")
+    compare(channel, reference)
+    correlations = Correlations(case, channel.values["re_tau"])
+    figure, axes = plt.subplots(3 if correlations.snapshots else 1, 3, figsize=(12, 10.5), layout="constrained", squeeze=False)
+    draw_profiles(axes[0], channel, reference)
+    if correlations.snapshots:
+        report_correlations(correlations)
+        for row, axis in enumerate("xz", start=1):
+            draw_correlations(axes[row], correlations, axis)
+            axes[row, 2].set_axis_off()
+    save(figure, options, __file__, caption([case]) + f" Correlations from {correlations.snapshots} snapshots.")
+
+
+if __name__ == "__main__":
+    main()
