@@ -1,5 +1,6 @@
 #include "campaign/paper_tables.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -130,6 +131,13 @@ void write_comparison(std::ostream& out, const Reading& reading, std::span<const
   write_aligned(out, rows, columns);
 }
 
+void write_reading(std::ostream& out, const Reading& reading, const std::vector<MeasuredCase>& cases) {
+  out << "\n" << reading.title << "\n\nTable 1\n";
+  write_comparison(out, reading, kTable1, cases);
+  out << "\nTable 2\n";
+  write_comparison(out, reading, kTable2, cases);
+}
+
 void write_preface(std::ostream& out, const std::string& campaign) {
   const std::string title = "Campaign " + printable(campaign) + " " + std::string(kPreface);
   out << wrapped(title, kPageWidth) << " B = " << short_number(analysis::kAdditiveConstant) << ".\n";
@@ -168,12 +176,13 @@ void write_paper_tables(std::ostream& out, const std::filesystem::path& campaign
   Connection store = open_store_file(campaign_directory, OpenMode::kReadOnly);
   const std::vector<MeasuredCase> cases = measured_cases(store);
   Statement campaign = store.query("SELECT name FROM campaign");
-  write_preface(out, campaign.step() ? campaign.text(0) : campaign_directory.string());
-  for (const Reading& reading : kReadings) {
-    out << "\n" << reading.title << "\n\nTable 1\n";
-    write_comparison(out, reading, kTable1, cases);
-    out << "\nTable 2\n";
-    write_comparison(out, reading, kTable2, cases);
+  const std::string name = campaign.step() ? campaign.text(0) : campaign_directory.string();
+  if (!cases.empty() && std::none_of(cases.begin(), cases.end(), has_counterpart)) {
+    out << wrapped("Campaign " + printable(name) + " has no case that the paper's tables show.", kPageWidth)
+        << "\n";
+  } else {
+    write_preface(out, name);
+    for (const Reading& reading : kReadings) write_reading(out, reading, cases);
   }
   write_case_notes(out, cases);
 }

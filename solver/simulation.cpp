@@ -203,20 +203,27 @@ double re_tau(const time::State& state, const time::Setup& setup) {
   return setup.physics.reynolds * std::sqrt(setup.viscosity * std::abs(shear));
 }
 
+/// What only a channel has.
+std::string driving_and_drag(const time::State& state, const time::Setup& setup) {
+  if (is_closed_box(setup.physics.flow)) return "";
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "  P %.4e  Re_tau %.1f", state.driving_gradient,
+                re_tau(state, setup));
+  return text.data();
+}
+
 }  // namespace
 
 void Simulation::report() {
   const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   report_timer_.reset();
-  const double friction = re_tau(state_, setup_);
   const double divergence =
       pressure::max_divergence(state_.velocity, setup_.grid, setup_.decomposition) * setup_.grid.dx;
   divergence_ = std::max(divergence_, divergence);
   std::array<char, 200> line{};
-  std::snprintf(line.data(), line.size(),
-                "step %8lld  t %10.4f  dt %.3e (%s)  P %.4e  Re_tau %.1f  div %.1e  %.0f ns/cell/step",
+  std::snprintf(line.data(), line.size(), "step %8lld  t %10.4f  dt %.3e (%s)%s  div %.1e  %.0f ns/cell/step",
                 static_cast<long long>(state_.step), state_.time, last_step_.dt, last_step_.limit,
-                state_.driving_gradient, friction, divergence,
+                driving_and_drag(state_, setup_).c_str(), divergence,
                 1e9 * pace_.seconds_per_step() / setup_.grid.cells());
   say(line.data());
 }

@@ -121,6 +121,15 @@ TEST_F(PaperTablesTest, AnotherReynoldsNumberOrLayerIsNoCounterpart) {
   }
 }
 
+TEST_F(PaperTablesTest, WithoutAnyCounterpartThereAreNoTables) {
+  nlohmann::json document = elastic_campaign();
+  document["physics"]["reynolds"] = 3000;
+  store.record_campaign(campaign_of(document));
+  EXPECT_THAT(page(), HasSubstr("has no case that the paper's tables show"));
+  EXPECT_THAT(page(), HasSubstr("HOW EACH CASE"));
+  EXPECT_THAT(page(), Not(HasSubstr("READING")));
+}
+
 TEST_F(PaperTablesTest, ALongLabelIsShortened) {
   CampaignCase named = case_with(campaign, 1.0, 1.0);
   named.definition.label = std::string(60, 'x');

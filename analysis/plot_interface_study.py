@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""Drag, deformation and log-law shift against G for each formulation of the solid and each of its options, grid by
+grid (runs/validation/interface-study); prints the table that its README shows."""
+
+import json
+import math
+
+from campaign_data import LABEL_G, arguments, caption, plt, read_campaign, read_reference, save
+
+PANELS = (("re_tau", r"$Re_\tau$, elastic wall"), ("delta_max", r"$\delta/h$"), ("delta_u_plus", r"$\Delta U^+$"))
+MARKERS = "osv^D<>"
+
+
+def option_of(case):
+    """What the solid is made with, in a few words."""
+    solid = json.loads((case.directory / "case.json").read_text())["physics"]["solid"]
+    if solid["formulation"] == "reference_map":
+        return "reference map"
+    transport = "MTHINC" if solid.get("interface") == "mthinc" else {"z": "WENO-Z", "js": "WENO-JS"}[solid["weno"]]
+    return f"{transport}, threshold {solid['threshold']:g}"
+
+
+def with_interval(case, quantity, digits):
+    value, interval = case.result(quantity), case.result(quantity + "_ci95")
+    if math.isnan(value):
+        return "-"
+    return f"{value:.{digits}f}" + ("" if math.isnan(interval) else f" +- {interval:.{digits}f}")
+
+
+def print_table(cases):
+    print("| grid | G | solid | Re_tau | delta | Delta U+ | width, cells | least eigenvalue | max abs(det B - 1) | t |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
+    for case in cases:
+        print(f"| {case.grid} | {case.G:g} | {option_of(case)} | {with_interval(case, 're_tau', 1)} | "
+              f"{with_interval(case, 'delta_max', 3)} | {with_interval(case, 'delta_u_plus', 1)} | "
+              f"{case.series['interface_width_cells'][-1]:.1f} | {case.series['min_eigenvalue'].min():.2g} | "
+              f"{case.series['max_det_error'].max():.2g} | {case.end[-1]:g} |")
+
+
+def draw_paper(panel, quantity):
+    paper = read_reference("rosti_brandt_2017_tables.csv")
+    usable = paper["viscosity_ratio"] == 1
+    for column, shade, source in (("G_table", "0.35", "table 1"), ("G_text", "0.65", "text")):
+        panel.plot(paper[column][usable], paper[quantity][usable], "x:", color=shade, linewidth=0.8,
+                   label=f"paper, G as in its {source}")
+
+
+def main():
+    options = arguments(__doc__)
+    cases = [case for case in read_campaign(options.campaign) if case.elastic]
+    names, grids = (sorted({of(case) for case in cases}) for of in (option_of, lambda case: case.grid))
+    cases.sort(key=lambda case: (case.grid, -case.G, option_of(case)))
+    print_table(cases)
+    figure, axes = plt.subplots(len(grids), 3, figsize=(13, 4 * len(grids)), layout="constrained", squeeze=False)
+    for case in cases:
+        n = names.index(option_of(case))
+        for panel, (quantity, _) in zip(axes[grids.index(case.grid)], PANELS):
+            interval = case.result(quantity + "_ci95")
+            panel.errorbar(case.G * 1.03 ** (n - len(names) // 2), case.result(quantity),
+                           None if math.isnan(interval) else interval, marker=MARKERS[n % len(MARKERS)],
+                           color=f"C{n}", capsize=3, linestyle="none", label=option_of(case))
+    for row, grid in zip(axes, grids):
+        for panel, (quantity, label) in zip(row, PANELS):
+            draw_paper(panel, quantity)
+            panel.set(xscale="log", xlabel=LABEL_G, ylabel=label, title=grid, xlim=(0.2, 2.5))
+            panel.set_xticks([0.25, 0.5, 1, 2], ["0.25", "0.5", "1", "2"], minor=False)
+            panel.minorticks_off()
+    handles, labels = axes[0, 0].get_legend_handles_labels()
+    first = dict(zip(labels[::-1], handles[::-1]))
+    axes[0, 0].legend(first.values(), first.keys(), fontsize=6)
+    save(figure, options, __file__, caption(cases) + " Bars: 95 % confidence.")
+
+
+if __name__ == "__main__":
+    main()
