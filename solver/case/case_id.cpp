@@ -63,6 +63,7 @@ std::string case_id(const json& physics) {
     if (identity.contains("domain")) identity["domain"].erase("layer_height");
   }
   json whole = {{"physics", std::move(identity)}};
+  case_schema().fill_defaults(whole);
   case_schema().drop_defaults(whole);
   const std::string text = canonical_text(whole.at("physics"));
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());

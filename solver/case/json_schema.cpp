@@ -149,7 +149,8 @@ void JsonSchema::drop_defaults(json& document) const {
     for (const auto& [key, child] : node.at("properties").items()) {
       if (!value.contains(key)) continue;
       self(self, child, value[key]);
-      if (child.contains("default") && value[key] == child.at("default")) value.erase(key);
+      const char* const dropped = child.contains("identity_default") ? "identity_default" : "default";
+      if (child.contains(dropped) && value[key] == child.at(dropped)) value.erase(key);
     }
   };
   drop(drop, schema_, document);

@@ -26,7 +26,8 @@ class JsonSchema {
   /// a default. Members of the wrong type are left as they are.
   void fill_defaults(nlohmann::json& document) const;
 
-  /// The opposite: removes every member that equals its default, also where objects thereby become empty.
+  /// The opposite: removes every member that equals its default, also where objects thereby become empty. A
+  /// node whose default has changed names the first one as "identity_default"; that is what is dropped.
   void drop_defaults(nlohmann::json& document) const;
 
   /// The schema of one part, by the pointer it would have in a document: "/physics/grid"; null when there is

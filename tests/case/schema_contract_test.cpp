@@ -71,11 +71,11 @@ TEST(SchemaContract, PhysicsIsIdentityMemberByMember) {
       json without = full;
       without.at(place.parent_pointer()).erase(place.back());
       if (!tests::complaint_about(without).empty()) {
-        const bool needed = !node->contains("default") || pointer == "/physics/grid/ny_solid" ||
-                            pointer == "/physics/grid/stretching" ||
-                            pointer == "/physics/domain/layer_height" ||
-                            pointer == "/physics/initial/precursor" ||
-                            pointer == "/physics/solid/extension" || pointer == "/physics/domain/length_x";
+        const bool needed =
+            !node->contains("default") || pointer == "/physics/grid/ny_solid" ||
+            pointer == "/physics/grid/stretching" || pointer == "/physics/domain/layer_height" ||
+            pointer == "/physics/initial/precursor" || pointer == "/physics/solid/extension" ||
+            pointer == "/physics/solid/formulation" || pointer == "/physics/domain/length_x";
         EXPECT_TRUE(needed) << pointer << " is needed although it has a default";
         continue;
       }

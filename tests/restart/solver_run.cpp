@@ -46,7 +46,7 @@ json elastic_case(int steps) {
   json c = small_case(steps);
   c["physics"]["flow"] = "elastic_wall";
   c["physics"]["grid"]["ny_solid"] = 4;
-  c["physics"]["solid"] = {{"G", 0.5}, {"viscosity_ratio", 0.5}};
+  c["physics"]["solid"] = {{"G", 0.5}, {"viscosity_ratio", 0.5}, {"formulation", "transported_B"}};
   return c;
 }
 
