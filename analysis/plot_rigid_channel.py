@@ -128,16 +128,17 @@ def compare(channel, reference):
     expected = np.interp(channel.y_plus, reference["y_plus"], reference["U_plus"])
     judge("U+, largest relative difference", max(abs(values["u"] / expected - 1)), 0.015)
     for name, column, bar in (("u'", "urms_plus", 0.03), ("v'", "vrms_plus", 0.03), ("w'", "wrms_plus", 0.03)):
-        compare_peak(name, (channel.y_plus, values[name]), (reference["y_plus"], reference[column]), bar)
-    compare_peak("-uv", (channel.y_plus_face, values["-uv"]), (reference["y_plus"], -reference["uv_plus"]), 0.02)
+        compare_peak(name, channel, channel.y_plus, (reference["y_plus"], reference[column]), bar)
+    compare_peak("-uv", channel, channel.y_plus_face, (reference["y_plus"], -reference["uv_plus"]), 0.02)
     judge("total stress, largest departure from a line / u_tau^2", max(abs(values["departure"])), 0.01)
     print(f"U_c / U_b {values['u_max']:.4f} +- {ci95['u_max']:.4f}")
 
 
-def compare_peak(name, ours, theirs, bar):
-    at, height = peak(*ours)
+def compare_peak(name, channel, y_plus, theirs, bar):
+    at, height = peak(y_plus, channel.values[name])
     expected_at, expected = peak(*theirs)
-    print(f"{name}+ peak {height:.3f} at y+ {at:.1f} (Moser et al.: {expected:.3f} at {expected_at:.1f})")
+    interval = channel.ci95[name][np.argmax(channel.values[name])]
+    print(f"{name}+ peak {height:.3f} +- {interval:.3f} at y+ {at:.1f} (Moser et al.: {expected:.3f} at {expected_at:.1f})")
     judge(f"{name}+ peak, relative difference", abs(height / expected - 1), bar)
 
 
