@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Zalesak's disc after one turn beside the disc at the start, for both WENO weights, and its contour error."""
+"""Zalesak's disc after one turn beside the disc at the start, for both WENO weights and MTHINC, and its contour error."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from box_data import LEVEL, judge, read_box_campaign
 from campaign_data import arguments, plt, save
 
 FINE = 16  # points a cell on which areas are counted
-WEIGHTS = (("js", "tab:blue", "Jiang-Shu"), ("z", "tab:red", "Z"))
+TRANSPORTS = {"js": ("tab:blue", "WENO, Jiang-Shu"), "z": ("tab:red", "WENO, Z"), "mthinc": ("tab:green", "MTHINC")}
 BARS = {64: 0.010, 128: 0.004}  # of Jiang-Shu weights, by points per diameter
 
 
@@ -28,6 +28,11 @@ def errors(begin, end):
     return between, spread, end.phi.sum() / begin.phi.sum() - 1
 
 
+def transport_of(solid):
+    """What carries phi."""
+    return "mthinc" if solid.get("interface", "weno") == "mthinc" else solid.get("weno", "z")
+
+
 def main():
     options = arguments(__doc__)
     cases = read_box_campaign(options.campaign, "rotation")
@@ -35,20 +40,20 @@ def main():
     figure, panels = plt.subplots(1, len(sizes), figsize=(5 * len(sizes), 5), layout="constrained", squeeze=False)
     for case in cases:
         panel = panels[0][sizes.index(case.cells)]
-        weights = case.physics["solid"].get("weno", "z")
-        colour, name = next((colour, name) for key, colour, name in WEIGHTS if key == weights)
+        transport = transport_of(case.physics["solid"])
+        colour, name = TRANSPORTS[transport]
         snapshots = case.snapshots()
         begin, end = snapshots[0], snapshots[-1]
         between, spread, drift = errors(begin, end)
         points = round(2 * case.physics["solid"]["disc"]["radius"] * case.cells)
-        print(f"{case.cells} cells a side, {points} points per diameter, weights {name}, t = {end.time:g}:")
-        if weights == "js" and points in BARS:
+        print(f"{case.cells} cells a side, {points} points per diameter, {name}, t = {end.time:g}:")
+        if transport == "js" and points in BARS:
             judge("  area between the contours / area of the disc", between, BARS[points])
         else:
             print(f"  area between the contours / area of the disc {between:.5f}")
         print(f"  misplaced area (half of it) {between / 2:.5f}; sum |phi - phi_0| / sum phi_0 {spread:.5f}; "
               f"change of sum(phi) {drift:.1e}; phi from {end.phi.min():.4f} to {end.phi.max():.4f}")
-        for line in begin.outline() if weights == "js" else []:
+        for line in begin.outline() if transport == "js" else []:
             panel.plot(*line.T, color="black", linewidth=1, label="start")
         for line in end.outline():
             panel.plot(*line.T, color=colour, linewidth=1.2, label=f"{name}: {100 * between:.2f} %")

@@ -22,6 +22,7 @@ enum class FlowType { kRigidChannel, kElasticWall, kCavity, kRotation };
 enum class InitialType { kPerturbedLaminar, kPrecursor };
 enum class SolidFormulation { kTransportedB, kReferenceMap };
 enum class WenoWeights { kJiangShu, kZ };
+enum class InterfaceTransport { kWeno, kMthinc };
 enum class Precision { kDouble, kSingle };
 enum class Extension { kColumn, kNormal };
 enum class ViscousTerms { kExplicit, kImplicit };
@@ -46,6 +47,7 @@ struct SolidSpec {
   double viscosity_ratio = 1.0;  ///< mu_s / mu_f
   SolidFormulation formulation = SolidFormulation::kTransportedB;
   WenoWeights weno = WenoWeights::kJiangShu;
+  InterfaceTransport interface = InterfaceTransport::kWeno;
   double threshold = 0.0;       ///< cells with phi below it take B from the solid, as `extension` says
   double min_eigenvalue = 0.0;  ///< B is kept >= this in every cell
   Extension extension = Extension::kColumn;

@@ -75,6 +75,10 @@ void check_elastic(const SoundMembers& members, const json& filled, std::vector<
   if (!filled.contains(json::json_pointer("/physics/solid")))
     mistakes.push_back(
         {"/physics/solid", "missing", "flow \"elastic_wall\" needs an object with at least G"});
+  if (members.get<std::string>("/physics/solid/interface") == "mthinc" &&
+      members.get<std::string>("/physics/solid/formulation") == "reference_map")
+    mistakes.push_back({"/physics/solid/interface", "mthinc",
+                        "carries a phi that \"reference_map\" does not have: must be \"weno\" with it"});
   check_layer_cells(members, mistakes);
 }
 

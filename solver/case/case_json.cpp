@@ -26,6 +26,8 @@ constexpr std::pair<SolidFormulation, const char*> kFormulationNames[] = {
     {SolidFormulation::kTransportedB, "transported_B"}, {SolidFormulation::kReferenceMap, "reference_map"}};
 constexpr std::pair<WenoWeights, const char*> kWenoNames[] = {{WenoWeights::kJiangShu, "js"},
                                                               {WenoWeights::kZ, "z"}};
+constexpr std::pair<InterfaceTransport, const char*> kInterfaceNames[] = {
+    {InterfaceTransport::kWeno, "weno"}, {InterfaceTransport::kMthinc, "mthinc"}};
 constexpr std::pair<Extension, const char*> kExtensionNames[] = {{Extension::kColumn, "column"},
                                                                  {Extension::kNormal, "normal"}};
 constexpr std::pair<ViscousTerms, const char*> kViscousNames[] = {{ViscousTerms::kExplicit, "explicit"},
@@ -60,6 +62,7 @@ SolidSpec solid_from(const json& solid) {
                  .viscosity_ratio = solid.at("viscosity_ratio"),
                  .formulation = named(solid.at("formulation"), kFormulationNames),
                  .weno = named(solid.at("weno"), kWenoNames),
+                 .interface = named(solid.at("interface"), kInterfaceNames),
                  .threshold = solid.at("threshold"),
                  .min_eigenvalue = solid.at("min_eigenvalue"),
                  .extension = named(solid.at("extension"), kExtensionNames),
@@ -135,6 +138,7 @@ json to_json(const SolidSpec& solid) {
                  {"viscosity_ratio", solid.viscosity_ratio},
                  {"formulation", name_of(solid.formulation, kFormulationNames)},
                  {"weno", name_of(solid.weno, kWenoNames)},
+                 {"interface", name_of(solid.interface, kInterfaceNames)},
                  {"threshold", solid.threshold},
                  {"min_eigenvalue", solid.min_eigenvalue},
                  {"extension", name_of(solid.extension, kExtensionNames)}};

@@ -48,6 +48,7 @@ TransportedB::TransportedB(const SolidSpec& spec, const Grid& grid,
       now_{grid::Field(grid, 0), grid::TensorField(grid, 1)},
       before_{grid::Field(grid, 0), grid::TensorField(grid, 1)},
       edges_(grid) {
+  if (spec.interface == InterfaceTransport::kMthinc) fraction_.emplace(grid, halo);
   if (spec.extension == Extension::kNormal) normal_.emplace(grid, decomposition, halo);
 }
 
@@ -66,6 +67,7 @@ int TransportedB::lowest_row(const Material& material) const {
 void TransportedB::transport(Material& material, const grid::VectorField& velocity, const Stage& stage,
                              double dt, int first_row) {
   find_rates(material, velocity, first_row);
+  if (fraction_) fraction_->advance(material.phi, velocity, stage, dt, first_row);
   update(material, stage, dt, first_row);
   make_consistent(material, first_row);
 }
@@ -73,7 +75,7 @@ void TransportedB::transport(Material& material, const grid::VectorField& veloci
 void TransportedB::find_rates(const Material& m, const grid::VectorField& velocity, int first_row) {
   const Velocity base{velocity.x.view(), velocity.y.view(), velocity.z.view(), grid_.upper_share.data()};
   const int j0 = first_row, ny = grid_.ny;
-  advection_.rate_of(m.phi, CenterVelocity{base}, j0, now_.phi);
+  if (!fraction_) advection_.rate_of(m.phi, CenterVelocity{base}, j0, now_.phi);
   advection_.rate_of(m.B.xx, CenterVelocity{base}, j0, now_.B.xx);
   advection_.rate_of(m.B.yy, CenterVelocity{base}, j0, now_.B.yy);
   advection_.rate_of(m.B.zz, CenterVelocity{base}, j0, now_.B.zz);
@@ -108,7 +110,7 @@ void TransportedB::update(Material& m, const Stage& stage, double dt, int first_
     });
   };
   const int ny = grid_.ny;
-  step(m.phi, now_.phi, before_.phi, ny);
+  if (!fraction_) step(m.phi, now_.phi, before_.phi, ny);
   step(m.B.xx, now_.B.xx, before_.B.xx, ny);
   step(m.B.yy, now_.B.yy, before_.B.yy, ny);
   step(m.B.zz, now_.B.zz, before_.B.zz, ny);

@@ -6,6 +6,7 @@
 #include "solver/grid/halo.hpp"
 #include "solver/solid/advection.hpp"
 #include "solver/solid/formulation.hpp"
+#include "solver/solid/fraction_transport.hpp"
 #include "solver/solid/normal_extension.hpp"
 #include "solver/solid/solid_edges.hpp"
 
@@ -40,6 +41,7 @@ class TransportedB : public Formulation {
   const Grid& grid_;
   grid::Halo& halo_;
   Advection advection_;
+  std::optional<FractionTransport> fraction_;  ///< moves phi, when the case asks for it; else advection_ does
   Rates now_, before_;
   SolidEdges edges_;
   std::optional<NormalExtension> normal_;  ///< present when the case asks for it

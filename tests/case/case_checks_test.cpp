@@ -27,6 +27,14 @@ TEST(CaseChecks, AnElasticWallNeedsItsSolid) {
                    "/physics/grid/ny_solid: 3; an elastic wall needs at least 4");
 }
 
+TEST(CaseChecks, OnlyATransportedFractionHasASharpInterface) {
+  json document = elastic_with("/physics/solid/interface", "mthinc");
+  document["physics"]["solid"]["formulation"] = "transported_B";
+  EXPECT_EQ(complaint_about(document), "");
+  document["physics"]["solid"]["formulation"] = "reference_map";
+  expect_complaint(document, "/physics/solid/interface: mthinc");
+}
+
 TEST(CaseChecks, ARigidChannelHasNone) {
   json document = tests::rigid_document();
   document["physics"]["solid"] = {{"G", 1}};

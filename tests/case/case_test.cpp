@@ -68,6 +68,11 @@ TEST(Case, WritingAndReadingBackChangesNothing) {
   EXPECT_EQ(to_json(parse_case(full.dump())), full);
 }
 
+TEST(Case, WhatCarriesPhiIsRead) {
+  EXPECT_EQ(parse_case(tests::elastic_document().dump()).physics.solid->interface, InterfaceTransport::kWeno);
+  EXPECT_EQ(parse_case(tests::box_document().dump()).physics.solid->interface, InterfaceTransport::kMthinc);
+}
+
 TEST(Case, NumbersSurviveToTheLastBit) {
   for (const double value : {0.1, 1.0 / 3.0, 2.0 / 7.0 * 1e-300, 1e300, 5e-324}) {
     json document = tests::elastic_document();

@@ -52,7 +52,7 @@ inline nlohmann::json box_document() {
     "format": 1, "label": "box",
     "physics": {
       "flow": "cavity", "domain": {"length_x": 1, "height": 1.5}, "grid": {"nx": 32, "ny_fluid": 48, "nz": 1},
-      "solid": {"G": 0.1, "formulation": "transported_B", "extension": "normal",
+      "solid": {"G": 0.1, "formulation": "transported_B", "interface": "mthinc", "extension": "normal",
                 "disc": {"x": 0.6, "y": 0.5, "radius": 0.2, "slot_width": 0.05, "slot_depth": 0.25}},
       "time_step": {"viscosity": "implicit"}},
     "run": {"end_time": 11}})");

@@ -37,6 +37,7 @@ struct Map {
   const char* name;
   int shift_x = 0, shift_z = 0;
   bool mirror_x = false, mirror_z = false, exchange = false;
+  InterfaceTransport interface = InterfaceTransport::kWeno;
 };
 
 struct Named {
@@ -112,6 +113,7 @@ class DeformedLayer : public testing::TestWithParam<Map> {
     p.length_x = p.length_z = 2;
     p.solid->G = 0.3;
     p.solid->viscosity_ratio = 3;
+    p.solid->interface = GetParam().interface;
     return p;
   }
   static void advance_by(State& s, time::Setup& setup, int steps) {
@@ -148,11 +150,20 @@ TEST_P(DeformedLayer, KnowsNoLeftAndRight) {
   EXPECT_GT(change, 0.1) << "nothing was tested";
 }
 
+Map sharp(Map map) {
+  map.interface = InterfaceTransport::kMthinc;
+  return map;
+}
+
 INSTANTIATE_TEST_SUITE_P(Maps, DeformedLayer,
                          testing::Values(Map{.name = "Shifted", .shift_x = 5, .shift_z = -4},
                                          Map{.name = "MirroredInZ", .mirror_z = true},
                                          Map{.name = "MirroredInX", .mirror_x = true},
-                                         Map{.name = "XForZ", .exchange = true}),
+                                         Map{.name = "XForZ", .exchange = true},
+                                         sharp({.name = "SharpShifted", .shift_x = 5, .shift_z = -4}),
+                                         sharp({.name = "SharpMirroredInZ", .mirror_z = true}),
+                                         sharp({.name = "SharpMirroredInX", .mirror_x = true}),
+                                         sharp({.name = "SharpXForZ", .exchange = true})),
                          [](const auto& map) { return std::string(map.param.name); });
 
 }  // namespace

@@ -44,6 +44,13 @@ TEST(Ranks, ElasticChannelIsTheSame) {
   }
 }
 
+TEST(Ranks, ElasticChannelWithASharpInterfaceIsTheSame) {
+  Physics p = support::elastic_channel({13, 12, 6, 14});
+  p.reynolds = 500;
+  p.solid->interface = InterfaceTransport::kMthinc;
+  expect_independent_of_ranks(p, support::smooth_state);
+}
+
 TEST(Ranks, PencilsInBothDirectionsAreTheSame) {
   // Six columns in z leave two parts there, so four and six ranks split x as well.
   if (support::world_size() == 3) GTEST_SKIP() << "three ranks do not fit";

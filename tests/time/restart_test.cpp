@@ -65,6 +65,13 @@ TEST(Restart, ElasticChannelGoesOnWithTheSameBits) {
   expect_same_bits_from_any_moment(p, 40, false);
 }
 
+TEST(Restart, ElasticChannelWithASharpInterfaceGoesOnWithTheSameBits) {
+  Physics p = support::elastic_channel({12, 16, 6, 8});
+  p.reynolds = 300;
+  p.solid->interface = InterfaceTransport::kMthinc;
+  expect_same_bits_from_any_moment(p, 40, false);
+}
+
 TEST(Restart, ElasticChannelWithAReferenceMapGoesOnWithTheSameBits) {
   for (const double stretching : {0.0, 1.0}) {
     Physics p =
