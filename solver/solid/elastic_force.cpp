@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solver/solid/fraction.hpp"
+#include "solver/solid/stress_divergence.hpp"
 
 namespace softwall::solid {
 
@@ -35,38 +36,22 @@ void renew(const grid::Box& box, const Force& force, grid::Field& previous, grid
 
 void renew_elastic_force(const Material& m, double G, const Grid& g, int first_row,
                          grid::VectorField& previous, grid::VectorField& sum) {
-  const Stress s{{m.phi.view(), g.upper_share.data()},
-                 m.B.xx.view(),
-                 m.B.yy.view(),
-                 m.B.zz.view(),
-                 m.B.xy.view(),
-                 m.B.xz.view(),
-                 m.B.yz.view(),
-                 Real(G)};
-  const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz);
-  const Real *inv_dy = g.inv_dy.data(), *inv_dy_face = g.inv_dy_face.data();
+  const StressDivergence<Stress> force({{m.phi.view(), g.upper_share.data()},
+                                        m.B.xx.view(),
+                                        m.B.yy.view(),
+                                        m.B.zz.view(),
+                                        m.B.xy.view(),
+                                        m.B.xz.view(),
+                                        m.B.yz.view(),
+                                        Real(G)},
+                                       g);
+  const auto centers = grid::rows(g, first_row, g.ny), faces = grid::rows(g, std::max(first_row, 1), g.ny);
   renew(
-      grid::rows(g, first_row, g.ny),
-      [=](int i, int j, int k) {
-        return (s.xx(i, j, k) - s.xx(i - 1, j, k)) * inv_dx +
-               (s.xy(i, j + 1, k) - s.xy(i, j, k)) * inv_dy[j] + (s.xz(i, j, k + 1) - s.xz(i, j, k)) * inv_dz;
-      },
-      previous.x, sum.x);
+      centers, [=](int i, int j, int k) { return force.x(i, j, k); }, previous.x, sum.x);
   renew(
-      grid::rows(g, std::max(first_row, 1), g.ny),
-      [=](int i, int j, int k) {
-        return (s.xy(i + 1, j, k) - s.xy(i, j, k)) * inv_dx +
-               (s.yy(i, j, k) - s.yy(i, j - 1, k)) * inv_dy_face[j] +
-               (s.yz(i, j, k + 1) - s.yz(i, j, k)) * inv_dz;
-      },
-      previous.y, sum.y);
+      faces, [=](int i, int j, int k) { return force.y(i, j, k); }, previous.y, sum.y);
   renew(
-      grid::rows(g, first_row, g.ny),
-      [=](int i, int j, int k) {
-        return (s.xz(i + 1, j, k) - s.xz(i, j, k)) * inv_dx +
-               (s.yz(i, j + 1, k) - s.yz(i, j, k)) * inv_dy[j] + (s.zz(i, j, k) - s.zz(i, j, k - 1)) * inv_dz;
-      },
-      previous.z, sum.z);
+      centers, [=](int i, int j, int k) { return force.z(i, j, k); }, previous.z, sum.z);
 }
 
 }  // namespace softwall::solid
