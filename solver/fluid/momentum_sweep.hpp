@@ -27,11 +27,10 @@ class MomentumSweep {
     for (Row& component : rate_) component.resize(row);
   }
 
-  /// Calls done(j, k, MomentumRow) for every row j0 <= j < j1 of every plane. kVariable: viscosity follows
-  /// phi.
-  template <bool kVariable, class RowDone>
+  /// Calls done(j, k, MomentumRow) for every row j0 <= j < j1 of every plane.
+  template <class RowDone>
   void for_each_row(const MomentumInput& m, int j0, int j1, const RowDone& done) {
-    for (int j = j0; j < j1; j += kRows) sweep<kVariable>(m, j, std::min(j + kRows, j1), done);
+    for (int j = j0; j < j1; j += kRows) sweep(m, j, std::min(j + kRows, j1), done);
   }
 
  private:
@@ -50,31 +49,28 @@ class MomentumSweep {
   };
 
   /// Sides at the low face of row j of u and w, and at the center below it for v.
-  template <bool kVariable>
   void fill(YSide& side, const MomentumInput& m, int j, int k) const {
     Real *const xy = side.xy.data(), *const yx = side.yx.data(), *const yy = side.yy.data(),
                 *const zy = side.zy.data();
 #pragma omp simd
     for (int i = 0; i <= nx_; ++i) {
-      xy[i] = flux_xy<kVariable>(m, i, j, k);
-      yx[i] = flux_yx<kVariable>(m, i, j, k);
-      yy[i] = flux_yy<kVariable>(m, i, j - 1, k);
-      zy[i] = flux_zy<kVariable>(m, i, j, k);
+      xy[i] = flux_xy(m, i, j, k);
+      yx[i] = flux_yx(m, i, j, k);
+      yy[i] = flux_yy(m, i, j - 1, k);
+      zy[i] = flux_zy(m, i, j, k);
     }
   }
   /// Sides of row j at the low face of plane k for u and v, and at the center below it for w.
-  template <bool kVariable>
   void fill(ZSide& side, std::ptrdiff_t row, const MomentumInput& m, int j, int k) const {
     Real *const xz = side.xz.data() + row, *const yz = side.yz.data() + row, *const zz = side.zz.data() + row;
 #pragma omp simd
     for (int i = 0; i <= nx_; ++i) {
-      xz[i] = flux_xz<kVariable>(m, i, j, k);
-      yz[i] = flux_yz<kVariable>(m, i, j, k);
-      zz[i] = flux_zz<kVariable>(m, i, j, k - 1);
+      xz[i] = flux_xz(m, i, j, k);
+      yz[i] = flux_yz(m, i, j, k);
+      zz[i] = flux_zz(m, i, j, k - 1);
     }
   }
 
-  template <bool kVariable>
   void add_up(const MomentumInput& m, int j, int k, std::ptrdiff_t row) {
     const YSide &low_y = y_[0], &high_y = y_[1];
     const ZSide &low_z = z_[0], &high_z = z_[1];
@@ -88,23 +84,23 @@ class MomentumSweep {
     const Real inv_dx = m.inv_dx, inv_dz = m.inv_dz, inv_dy = m.inv_dy[j], inv_dy_face = m.inv_dy_face[j];
 #pragma omp simd
     for (int i = 0; i < nx_; ++i) {
-      const Real xx = flux_xx<kVariable>(m, i, j, k) - flux_xx<kVariable>(m, i - 1, j, k);
+      const Real xx = flux_xx(m, i, j, k) - flux_xx(m, i - 1, j, k);
       x[i] = xx * inv_dx + (xy1[i] - xy0[i]) * inv_dy + (xz1[i] - xz0[i]) * inv_dz;
       y[i] = (yx[i + 1] - yx[i]) * inv_dx + (yy1[i] - yy0[i]) * inv_dy_face + (yz1[i] - yz0[i]) * inv_dz;
       z[i] = (xz0[i + 1] - xz0[i]) * inv_dx + (zy1[i] - zy0[i]) * inv_dy + (zz1[i] - zz0[i]) * inv_dz;
     }
   }
 
-  template <bool kVariable, class RowDone>
+  template <class RowDone>
   void sweep(const MomentumInput& m, int j0, int j1, const RowDone& done) {
     const auto row_of = [&](int j) { return std::ptrdiff_t(j - j0) * stride_; };
-    for (int j = j0; j < j1; ++j) fill<kVariable>(z_[0], row_of(j), m, j, 0);
+    for (int j = j0; j < j1; ++j) fill(z_[0], row_of(j), m, j, 0);
     for (int k = 0; k < nz_; ++k) {
-      fill<kVariable>(y_[0], m, j0, k);
+      fill(y_[0], m, j0, k);
       for (int j = j0; j < j1; ++j) {
-        fill<kVariable>(y_[1], m, j + 1, k);
-        fill<kVariable>(z_[1], row_of(j), m, j, k + 1);
-        add_up<kVariable>(m, j, k, row_of(j));
+        fill(y_[1], m, j + 1, k);
+        fill(z_[1], row_of(j), m, j, k + 1);
+        add_up(m, j, k, row_of(j));
         done(j, k, MomentumRow{rate_[0].data(), rate_[1].data(), rate_[2].data()});
         std::swap(y_[0], y_[1]);
       }

@@ -7,8 +7,8 @@
 
 /// Predicted velocity of a substep, paper eq:NS-num1:
 ///   u* = u^{k-1} + dt [ -2 alpha grad p^{k-1} + alpha (f^k + f^{k-1}) + beta R^{k-1} + gamma R^{k-2} ]
-/// with R the convective and viscous terms and f the elastic force. The uniform driving gradient comes after
-/// the projection (forcing.hpp): the two commute.
+/// with R the convective and viscous terms, those of the solid's own viscosity among them, and f the elastic
+/// force. The uniform driving gradient comes after the projection (forcing.hpp): the two commute.
 namespace softwall::fluid {
 
 class Predictor {

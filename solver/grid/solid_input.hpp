@@ -8,8 +8,11 @@ namespace softwall {
 struct SolidInput {
   const grid::Field* fraction = nullptr;     ///< phi, ghost cells filled
   const grid::VectorField* force = nullptr;  ///< f^k + f^{k-1} on the faces
-  int first_row = 0;                         ///< phi and force vanish below this row
+  int first_row = 0;                         ///< phi and forces vanish below this row
   double viscosity_ratio = 1;
+  /// What the solid's viscosity adds to the fluid's viscous force at moment k-1, over mu_f; absent when the
+  /// viscosities are equal.
+  const grid::VectorField* excess_viscous = nullptr;
 };
 
 }  // namespace softwall

@@ -30,6 +30,10 @@ class Formulation {
   virtual void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
                          int first_row) = 0;
 
+  /// An edge where phi is at least this lies in the solid: its own shear is the solid's
+  /// (excess_viscosity.hpp).
+  [[nodiscard]] virtual Real solid_from() const = 0;
+
   /// Cells in which B was changed to keep it positive definite, on this rank, summed over substeps.
   [[nodiscard]] virtual std::int64_t limited_cells() const = 0;
 };

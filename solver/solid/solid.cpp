@@ -35,7 +35,10 @@ Solid::Solid(const SolidSpec& spec, const Grid& grid, const parallel::Decomposit
       decomposition_(decomposition),
       formulation_(formulation_of(spec, grid, decomposition, halo)),
       force_before_(grid, 0),
-      force_sum_(grid, 0) {}
+      force_sum_(grid, 0) {
+  if (spec.viscosity_ratio != 1)
+    excess_viscosity_.emplace(spec.viscosity_ratio, formulation_->solid_from(), grid);
+}
 
 void Solid::start(Material& material) {
   if (material.formulation != spec_.formulation) throw std::logic_error("a material of another formulation");
@@ -60,12 +63,20 @@ void Solid::renew_force(const Material& material) {
 }
 
 void Solid::transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt) {
+  if (excess_viscosity_) excess_viscosity_->renew(material, velocity, first_row_);
   formulation_->transport(material, velocity, stage, dt, first_row_);
   renew_force(material);
 }
 
 SolidInput Solid::input(const Material& material) const {
-  return {&material.phi, &force_sum_, first_row_, spec_.viscosity_ratio};
+  const auto* excess = excess_viscosity_ ? &excess_viscosity_->force() : nullptr;
+  return {&material.phi, &force_sum_, first_row_, spec_.viscosity_ratio, excess};
+}
+
+std::vector<double> Solid::excess_shear_sums(const Material& material,
+                                             const grid::VectorField& velocity) const {
+  if (!excess_viscosity_) return {};
+  return excess_viscosity_->shear_stress_sums(material, velocity, first_row_);
 }
 
 double Solid::elastic_limit(const Material& m) const {

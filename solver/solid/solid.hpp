@@ -2,17 +2,20 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "solver/case/case.hpp"
 #include "solver/grid/halo.hpp"
 #include "solver/grid/solid_input.hpp"
 #include "solver/grid/stage.hpp"
+#include "solver/solid/excess_viscosity.hpp"
 #include "solver/solid/formulation.hpp"
 #include "solver/solid/material.hpp"
 
-/// The border between the solid and the rest of the solver: velocity and stage in, solid fraction and elastic
-/// force out. Behind it stands a formulation (formulation.hpp), which moves the material; what phi and B then
-/// do to the flow is the same for all, in the band of rows that hold solid.
+/// The border between the solid and the rest of the solver: velocity and stage in, solid fraction, elastic
+/// and excess viscous force out. Behind it stands a formulation (formulation.hpp), which moves the material;
+/// what phi and B then do to the flow is the same for all, in the band of rows that hold solid.
 namespace softwall::solid {
 
 class Solid {
@@ -27,11 +30,17 @@ class Solid {
   /// Lets the band of rows follow the solid; to be called once at the end of a step.
   void renew_band(Material& material);
 
-  /// Advances the material through one substep with the velocity at its beginning (ghost cells filled).
+  /// Advances the material through one substep with the velocity at its beginning (ghost cells filled), after
+  /// finding the excess viscous force of that moment.
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt);
 
-  /// phi and the elastic force f^k + f^{k-1} for the predictor.
+  /// phi, the elastic force f^k + f^{k-1} and the excess viscous force of moment k-1 for the predictor.
   [[nodiscard]] SolidInput input(const Material& material) const;
+
+  /// Sum over this rank's columns of the excess viscous shear stress over mu_f on xy edges, for each row 0 ..
+  /// ny; empty when the viscosities are equal. Ghost cells filled.
+  [[nodiscard]] std::vector<double> excess_shear_sums(const Material& material,
+                                                      const grid::VectorField& velocity) const;
 
   /// Largest stable time step of elastic waves: the scheme grows visibly beyond omega dt = 0.86, with
   /// omega^2 = 4 G phi sum_ij |B_ij| / (d_i d_j) the stiffest two-cell mode of a cell.
@@ -50,6 +59,7 @@ class Solid {
   const Grid& grid_;
   const parallel::Decomposition& decomposition_;
   std::unique_ptr<Formulation> formulation_;
+  std::optional<ExcessViscosity> excess_viscosity_;  ///< where the viscosities differ
   grid::VectorField force_before_, force_sum_;
   int first_row_ = 0;
 };

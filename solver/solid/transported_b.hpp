@@ -24,6 +24,8 @@ class TransportedB : public Formulation {
   void make_consistent(Material& material, int first_row) override;
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
                  int first_row) override;
+  /// Where B is the solid's own, too. Around a body of any shape the local shear stands in for the solid's.
+  [[nodiscard]] Real solid_from() const override { return normal_ ? Real(0) : Real(spec_.threshold); }
   /// By the limiter (limiter.hpp), since the start of the program.
   [[nodiscard]] std::int64_t limited_cells() const override { return limited_cells_; }
 

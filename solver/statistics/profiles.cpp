@@ -57,7 +57,6 @@ void add_center_line(const time::State& s, int nx, int j, int k, PlaneMeans& sum
 }
 
 /// v, v v on faces; u v and the viscous stress on xy edges.
-template <bool kVariable>
 void add_face_line(const fluid::MomentumInput& m, int nx, int j, int k, PlaneMeans& sums) {
   double v1 = 0, v2 = 0, uv = 0, viscous = 0;
 #pragma omp simd reduction(+ : v1, v2, uv, viscous)
@@ -67,7 +66,7 @@ void add_face_line(const fluid::MomentumInput& m, int nx, int j, int k, PlaneMea
     v1 += v;
     v2 += double(v) * v;
     uv += product;
-    viscous += fluid::flux_xy<kVariable>(m, i, j, k) + product;
+    viscous += fluid::flux_xy(m, i, j, k) + product;
   }
   sums(kVFace, j) += v1;
   sums(kVvFace, j) += v2;
@@ -105,21 +104,11 @@ void add_solid_face_line(const time::State& s, const Grid& g, double G, int j, i
   sums(kElasticStress, j) += G * stress;
 }
 
-/// What the momentum equation of this state reads. Below first_row it takes phi for zero.
 fluid::MomentumInput momentum_input(const time::State& s, const time::Setup& setup) {
   const Grid& g = setup.grid;
-  const double ratio = setup.physics.solid ? setup.physics.solid->viscosity_ratio : 1;
-  return {s.velocity.x.view(),
-          s.velocity.y.view(),
-          s.velocity.z.view(),
-          s.elastic ? s.material.phi.view() : s.velocity.x.view(),
-          g.inv_dy.data(),
-          g.inv_dy_face.data(),
-          g.upper_share.data(),
-          Real(1 / g.dx),
-          Real(1 / g.dz),
-          Real(setup.viscosity),
-          Real(setup.viscosity * (ratio - 1))};
+  return {s.velocity.x.view(), s.velocity.y.view(),  s.velocity.z.view(),
+          g.inv_dy.data(),     g.inv_dy_face.data(), g.upper_share.data(),
+          Real(1 / g.dx),      Real(1 / g.dz),       Real(setup.viscosity)};
 }
 
 /// Sums over this rank's part of every plane: one sweep through the fields, line by line.
@@ -127,19 +116,22 @@ PlaneMeans local_sums(const time::State& s, const time::Setup& setup) {
   const Grid& g = setup.grid;
   const auto m = momentum_input(s, setup);
   const int solid_row = setup.solid ? setup.solid->first_row() : g.ny + 1;
-  const int variable_row = m.excess != 0 ? solid_row : g.ny + 1;
   const double G = setup.physics.solid ? setup.physics.solid->G : 0;
   PlaneMeans sums(s.elastic, g.ny);
   for (int k = 0; k < g.nz; ++k) {
     for (int j = 0; j <= g.ny; ++j) {
       if (j < g.ny) add_center_line(s, g.nx, j, k, sums);
-      (j < variable_row ? add_face_line<false> : add_face_line<true>)(m, g.nx, j, k, sums);
+      add_face_line(m, g.nx, j, k, sums);
       if (j < solid_row) continue;
       if (j < g.ny) add_solid_center_line(s, G, g.nx, j, k, sums);
       add_solid_face_line(s, g, G, j, k, sums);
     }
   }
-  if (s.elastic) {  // below the band all is fluid
+  if (s.elastic) {
+    const auto excess = setup.solid->excess_shear_sums(s.material, s.velocity);
+    for (std::size_t j = 0; j < excess.size(); ++j)
+      sums(kViscousStress, static_cast<int>(j)) += setup.viscosity * excess[j];
+    // Below the band all is fluid.
     for (int j = 0; j < solid_row; ++j) sums(kFluidU, j) = sums(kU, j);
   }
   return sums;

@@ -6,10 +6,11 @@
 #include <string>
 
 #include "analysis/quantities.hpp"
-#include "solver/fluid/momentum.hpp"
 #include "solver/parallel/reduce.hpp"
 #include "solver/solid/elastic_force.hpp"
+#include "solver/solid/excess_viscosity.hpp"
 #include "tests/statistics/flows.hpp"
+#include "tests/support/momentum_views.hpp"
 
 namespace softwall::statistics {
 namespace {
@@ -69,29 +70,21 @@ TEST(Profiles, StressesAreTheFluxesOfTheMomentumEquation) {
     time::Setup setup(physics, MPI_COMM_WORLD);
     const auto s = rough_state(setup);
     const auto& g = setup.grid;
-    const double ratio = physics.solid ? physics.solid->viscosity_ratio : 1;
-    const fluid::MomentumInput m{s.velocity.x.view(),
-                                 s.velocity.y.view(),
-                                 s.velocity.z.view(),
-                                 s.elastic ? s.material.phi.view() : s.velocity.x.view(),
-                                 g.inv_dy.data(),
-                                 g.inv_dy_face.data(),
-                                 g.upper_share.data(),
-                                 1 / g.dx,
-                                 1 / g.dz,
-                                 setup.viscosity,
-                                 setup.viscosity * (ratio - 1)};
+    const auto m = support::momentum_input(s.velocity, g, setup.viscosity);
     grid::VectorField force(g, 0), unused(g, 0);
-    if (s.elastic) solid::renew_elastic_force(s.material, physics.solid->G, g, 0, force, unused);
+    solid::ExcessViscosity excess(s.elastic ? physics.solid->viscosity_ratio : 1, 0.9, g);
+    if (s.elastic) {
+      solid::renew_elastic_force(s.material, physics.solid->G, g, 0, force, unused);
+      excess.renew(s.material, s.velocity, 0);
+    }
     const auto means = plane_means(s, setup);
     const auto total = [&](int j) {
       return means(kViscousStress, j) - means(kUv, j) + (s.elastic ? means(kElasticStress, j) : 0.0);
     };
     for (int j = 0; j < g.ny; ++j) {
       const double rate = row_mean(setup, j, [&](int i, int row, int k) {
-        const double flow =
-            s.elastic ? fluid::momentum_x<true>(m, i, row, k) : fluid::momentum_x<false>(m, i, row, k);
-        return flow + force.x(i, row, k);
+        return fluid::momentum_x(m, i, row, k) + force.x(i, row, k) +
+               setup.viscosity * excess.force().x(i, row, k);
       });
       EXPECT_NEAR((total(j + 1) - total(j)) * g.inv_dy[j], rate, 1e-11) << j;
     }

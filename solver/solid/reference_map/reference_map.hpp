@@ -21,6 +21,8 @@ class ReferenceMap : public Formulation {
   void make_consistent(Material& material, int first_row) override;
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
                  int first_row) override;
+  /// Under a flat surface: both rows whose difference it takes have their centers in the solid.
+  [[nodiscard]] Real solid_from() const override { return Real(0.75); }
   /// With any solid in them and det A below kLeastVolume (strain.hpp).
   [[nodiscard]] std::int64_t limited_cells() const override { return limited_cells_; }
 

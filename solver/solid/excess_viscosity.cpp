@@ -1,0 +1,117 @@
+#include "solver/solid/excess_viscosity.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "solver/grid/cell_loop.hpp"
+#include "solver/solid/column_extension.hpp"
+#include "solver/solid/fraction.hpp"
+#include "solver/solid/stress_divergence.hpp"
+
+namespace softwall::solid {
+
+namespace {
+
+/// phi (mu_s / mu_f - 1) 2 D^s where its components live.
+struct Stress {
+  Fraction phi;
+  View<const Real> u, v, w;
+  View<const Real> shear_xy, shear_yz;  ///< du/dy and dw/dy of the solid
+  const Real* inv_dy;
+  Real inv_dx, inv_dz, excess;
+  Real xx(int i, int j, int k) const {
+    return 2 * excess * phi.center(i, j, k) * (u(i + 1, j, k) - u(i, j, k)) * inv_dx;
+  }
+  Real yy(int i, int j, int k) const {
+    return 2 * excess * phi.center(i, j, k) * (v(i, j + 1, k) - v(i, j, k)) * inv_dy[j];
+  }
+  Real zz(int i, int j, int k) const {
+    return 2 * excess * phi.center(i, j, k) * (w(i, j, k + 1) - w(i, j, k)) * inv_dz;
+  }
+  Real xy(int i, int j, int k) const {
+    return excess * phi.edge_xy(i, j, k) * (shear_xy(i, j, k) + (v(i, j, k) - v(i - 1, j, k)) * inv_dx);
+  }
+  Real xz(int i, int j, int k) const {
+    return excess * phi.edge_xz(i, j, k) *
+           ((u(i, j, k) - u(i, j, k - 1)) * inv_dz + (w(i, j, k) - w(i - 1, j, k)) * inv_dx);
+  }
+  Real yz(int i, int j, int k) const {
+    return excess * phi.edge_yz(i, j, k) * (shear_yz(i, j, k) + (v(i, j, k) - v(i, j, k - 1)) * inv_dz);
+  }
+};
+
+/// d/dy of a component of the velocity on its edges, of the solid: in rows first_row <= j <= ny of this
+/// rank's columns and one more on the high sides. phi_at: averaged to those edges.
+template <class FractionAt>
+void find_shear(const grid::Field& component, const FractionAt& phi_at, Real solid_from, const Grid& g,
+                int first_row, grid::Field& shear) {
+  const grid::Box box{0, g.nx + 1, first_row, g.ny + 1, 0, g.nz + 1};
+  const auto q = component.view();
+  const auto out = shear.view();
+  const Real* inv_dy_face = g.inv_dy_face.data();
+  grid::for_each_cell(
+      box, [=](int i, int j, int k) { out(i, j, k) = (q(i, j, k) - q(i, j - 1, k)) * inv_dy_face[j]; });
+  extend_down(std::array{&shear}, phi_at, solid_from, g.ny - 1, box);
+}
+
+void find_shear_xy(const Fraction& phi, const grid::VectorField& velocity, Real solid_from, const Grid& g,
+                   int first_row, grid::Field& shear) {
+  const auto on_xy = [=](int i, int j, int k) { return phi.edge_xy(i, j, k); };
+  find_shear(velocity.x, on_xy, solid_from, g, first_row, shear);
+}
+
+Fraction fraction_of(const Material& m, const Grid& g) { return {m.phi.view(), g.upper_share.data()}; }
+
+Stress stress_of(const Material& m, const grid::VectorField& velocity, const grid::Field& shear_xy,
+                 const grid::Field& shear_yz, Real excess, const Grid& g) {
+  return {fraction_of(m, g), velocity.x.view(), velocity.y.view(), velocity.z.view(), shear_xy.view(),
+          shear_yz.view(),   g.inv_dy.data(),   Real(1 / g.dx),    Real(1 / g.dz),    excess};
+}
+
+template <class Component>
+void assign(const grid::Box& box, const Component& component, grid::Field& field) {
+  const auto out = field.view();
+  grid::for_each_cell(box, [=](int i, int j, int k) { out(i, j, k) = component(i, j, k); });
+}
+
+}  // namespace
+
+ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const Grid& grid)
+    : excess_(Real(ratio - 1)),
+      solid_from_(solid_from),
+      grid_(grid),
+      shear_xy_(grid, 1),
+      shear_yz_(grid, 1),
+      force_(grid, 0) {}
+
+void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity, int first_row) {
+  const auto& g = grid_;
+  const Fraction phi = fraction_of(m, g);
+  const auto on_yz = [=](int i, int j, int k) { return phi.edge_yz(i, j, k); };
+  find_shear_xy(phi, velocity, solid_from_, g, first_row, shear_xy_);
+  find_shear(velocity.z, on_yz, solid_from_, g, first_row, shear_yz_);
+  const StressDivergence force(stress_of(m, velocity, shear_xy_, shear_yz_, excess_, g), g);
+  const auto centers = grid::rows(g, first_row, g.ny), faces = grid::rows(g, std::max(first_row, 1), g.ny);
+  assign(
+      centers, [=](int i, int j, int k) { return force.x(i, j, k); }, force_.x);
+  assign(
+      faces, [=](int i, int j, int k) { return force.y(i, j, k); }, force_.y);
+  assign(
+      centers, [=](int i, int j, int k) { return force.z(i, j, k); }, force_.z);
+}
+
+std::vector<double> ExcessViscosity::shear_stress_sums(const Material& m, const grid::VectorField& velocity,
+                                                       int first_row) const {
+  const auto& g = grid_;
+  grid::Field shear(g, 1);
+  find_shear_xy(fraction_of(m, g), velocity, solid_from_, g, first_row, shear);
+  const Stress stress = stress_of(m, velocity, shear, shear, excess_, g);
+  std::vector<double> sums(static_cast<std::size_t>(g.ny) + 1);
+  for (int j = first_row; j <= g.ny; ++j) {
+    sums[static_cast<std::size_t>(j)] =
+        grid::sum_cells(grid::rows(g, j, j + 1), [=](int i, int row, int k) { return stress.xy(i, row, k); });
+  }
+  return sums;
+}
+
+}  // namespace softwall::solid
