@@ -18,8 +18,11 @@ struct NamedSolid {
 };
 
 inline std::vector<NamedSolid> solids() {
-  const SolidSpec paper = *elastic_channel({3, 4, 4, 3}).solid;
-  return {{"TensorB", paper}};
+  const Physics paper = elastic_channel({3, 4, 4, 3});
+  std::vector<NamedSolid> all;
+  for (const auto formulation : kBothFormulations)
+    all.push_back({name_of(formulation), *formulated(paper, formulation).solid});
+  return all;
 }
 
 inline std::string solid_name(const testing::TestParamInfo<NamedSolid>& info) { return info.param.name; }
@@ -31,10 +34,18 @@ inline SolidSpec made_of(SolidSpec spec, double G, double viscosity_ratio) {
   return spec;
 }
 
-/// Deforms the rows from first_row on by a shear that depends on y alone, a displacement xi_x(y) with
-/// dxi_x/dy = gamma(y): B_xy = gamma, B_xx = 1 + gamma^2.
-template <class Gamma>
-void shear_material(solid::Material& m, const grid::Grid& g, int first_row, const Gamma& gamma) {
+/// Deforms the rows from first_row on by a shear that depends on y alone, a displacement xi(y) in x with
+/// dxi/dy = gamma(y): B_xy = gamma, B_xx = 1 + gamma^2. Below them the displacement goes on
+/// in a straight line.
+template <class Displacement, class Gamma>
+void shear_material(solid::Material& m, const grid::Grid& g, int first_row, const Displacement& xi,
+                    const Gamma& gamma) {
+  const auto x = m.displacement.x.view();
+  const double surface = g.y_face[first_row];
+  grid::for_each_cell(grid::all_cells(g), [&](int i, int j, int k) {
+    const double y = g.y_center[j];
+    x(i, j, k) = y > surface ? xi(y) : xi(surface) + gamma(surface) * (y - surface);
+  });
   const auto xx = m.B.xx.view(), xy = m.B.xy.view();
   grid::for_each_cell(grid::rows(g, first_row, g.ny + 1), [&](int i, int j, int k) {
     xy(i, j, k) = gamma(g.y_face[j]);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 #include "tests/support/flows.hpp"
+#include "tests/support/solids.hpp"
 
 // As symmetry_test.cpp, for a layer that is deformed already: every field of the state is transformed, the
 // tensor with its indices, and must come out transformed.
@@ -23,6 +25,9 @@ Kind kind_of(const std::string& name) {
   if (name == "u") return {true, false, {0}};
   if (name == "v") return {false, false, {1}};
   if (name == "w") return {false, true, {2}};
+  if (name == "d_x") return {true, false, {0}};
+  if (name == "d_y") return {false, false, {1}};
+  if (name == "d_z") return {false, true, {2}};
   if (name == "B_xx") return {false, false, {0, 0}};
   if (name == "B_yy") return {false, false, {1, 1}};
   if (name == "B_zz") return {false, false, {2, 2}};
@@ -37,7 +42,6 @@ struct Map {
   const char* name;
   int shift_x = 0, shift_z = 0;
   bool mirror_x = false, mirror_z = false, exchange = false;
-  InterfaceTransport interface = InterfaceTransport::kWeno;
 };
 
 struct Named {
@@ -58,6 +62,8 @@ std::vector<Named> contents(State& s, const Setup& setup) {
 std::string exchanged(const std::string& name) {
   if (name == "u") return "w";
   if (name == "w") return "u";
+  if (name == "d_x") return "d_z";
+  if (name == "d_z") return "d_x";
   if (name == "B_xx") return "B_zz";
   if (name == "B_zz") return "B_xx";
   if (name == "B_xy") return "B_yz";
@@ -106,14 +112,12 @@ void put(const std::vector<Named>& values, State& s, const Setup& setup) {
   }
 }
 
-class DeformedLayer : public testing::TestWithParam<Map> {
+class DeformedLayer : public testing::TestWithParam<std::tuple<Map, support::NamedSolid>> {
  protected:
   static Physics physics() {
     Physics p = support::elastic_channel({kN, 10, 4, kN});
     p.length_x = p.length_z = 2;
-    p.solid->G = 0.3;
-    p.solid->viscosity_ratio = 3;
-    p.solid->interface = GetParam().interface;
+    p.solid = support::made_of(std::get<support::NamedSolid>(GetParam()).spec, 0.3, 3);
     return p;
   }
   static void advance_by(State& s, time::Setup& setup, int steps) {
@@ -122,7 +126,7 @@ class DeformedLayer : public testing::TestWithParam<Map> {
   static std::vector<Named> later(const std::vector<Named>& from) {
     time::Setup setup(physics(), MPI_COMM_WORLD);
     setup.bulk_velocity.reset();
-    State s = state_at_rest(setup.grid, true);
+    State s = state_at_rest(setup);
     put(from, s, setup);
     start(s, setup);
     advance_by(s, setup, 10);
@@ -137,11 +141,12 @@ TEST_P(DeformedLayer, KnowsNoLeftAndRight) {
   advance_by(s, setup, 40);
   const auto deformed = contents(s, setup);
   const auto partly = [](double phi) { return 0.1 < phi && phi < 0.9; };
-  const auto& phi =
-      *std::find_if(deformed.begin(), deformed.end(), [](const Named& n) { return n.name == "phi"; });
-  ASSERT_TRUE(std::any_of(phi.values.begin(), phi.values.end(), partly)) << "the interface is still flat";
-  const auto plain = later(deformed), expected = transformed(plain, GetParam());
-  const auto seen = later(transformed(deformed, GetParam()));
+  const auto phi =
+      support::global_values(s.material.phi, setup.grid, setup.grid.ny, setup.decomposition.all());
+  ASSERT_TRUE(std::any_of(phi.begin(), phi.end(), partly)) << "the interface is still flat";
+  const auto& map = std::get<Map>(GetParam());
+  const auto plain = later(deformed), expected = transformed(plain, map);
+  const auto seen = later(transformed(deformed, map));
   double change = 0;
   for (std::size_t f = 0; f < seen.size(); ++f) {
     EXPECT_LT(support::largest_difference(seen[f].values, expected[f].values), 1e-11) << seen[f].name;
@@ -150,21 +155,26 @@ TEST_P(DeformedLayer, KnowsNoLeftAndRight) {
   EXPECT_GT(change, 0.1) << "nothing was tested";
 }
 
-Map sharp(Map map) {
-  map.interface = InterfaceTransport::kMthinc;
-  return map;
+constexpr Map kMaps[]{{.name = "Shifted", .shift_x = 5, .shift_z = -4},
+                      {.name = "MirroredInZ", .mirror_z = true},
+                      {.name = "MirroredInX", .mirror_x = true},
+                      {.name = "XForZ", .exchange = true}};
+
+std::vector<support::NamedSolid> all_solids() {
+  auto all = support::solids();
+  auto sharp = all.front();
+  sharp.name = "SharpTransportedB";
+  sharp.spec.interface = InterfaceTransport::kMthinc;
+  all.push_back(sharp);
+  return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Maps, DeformedLayer,
-                         testing::Values(Map{.name = "Shifted", .shift_x = 5, .shift_z = -4},
-                                         Map{.name = "MirroredInZ", .mirror_z = true},
-                                         Map{.name = "MirroredInX", .mirror_x = true},
-                                         Map{.name = "XForZ", .exchange = true},
-                                         sharp({.name = "SharpShifted", .shift_x = 5, .shift_z = -4}),
-                                         sharp({.name = "SharpMirroredInZ", .mirror_z = true}),
-                                         sharp({.name = "SharpMirroredInX", .mirror_x = true}),
-                                         sharp({.name = "SharpXForZ", .exchange = true})),
-                         [](const auto& map) { return std::string(map.param.name); });
+INSTANTIATE_TEST_SUITE_P(, DeformedLayer,
+                         testing::Combine(testing::ValuesIn(kMaps), testing::ValuesIn(all_solids())),
+                         [](const auto& test) {
+                           return std::string(std::get<Map>(test.param).name) + "Of" +
+                                  std::get<support::NamedSolid>(test.param).name;
+                         });
 
 }  // namespace
 }  // namespace softwall::time

@@ -57,11 +57,20 @@ void set_mode(State& s, Setup& setup, const InterfaceMode& mode, double amplitud
   support::set_by_position(s.velocity.y, g, support::kFaceY,
                            [&](double x, double y, double) { return v(y, 0) * std::cos(k * x); });
   auto& m = s.material;
+  // Below the interface in a straight line.
+  const auto above = [](double y) { return std::max(y, 2 + 1e-12); };
+  const auto line = [&](double y, int order) {
+    return xi(above(y), order) + std::min(y - 2, 0.0) * xi(above(y), order + 1);
+  };
+  support::set_by_position(m.displacement.x, g, support::kFaceX,
+                           [&](double x, double y, double) { return -line(y, 1) / k * std::sin(k * x); });
+  support::set_by_position(m.displacement.y, g, support::kFaceY,
+                           [&](double x, double y, double) { return line(y, 0) * std::cos(k * x); });
   for (int kz = 0; kz < g.nz; ++kz) {
     for (int j = g.ny_fluid; j <= g.ny; ++j) {
       for (int i = 0; i < g.nx; ++i) {
         const double face = std::sin(k * i * g.dx), center = std::cos(k * (i + 0.5) * g.dx);
-        const double y = std::max(g.y_face[j], 2 + 1e-12);
+        const double y = above(g.y_face[j]);
         m.B.xy(i, j, kz) = -(xi(y, 2) / k + k * xi(y, 0)) * face;
         if (j == g.ny) continue;
         m.B.xx(i, j, kz) = 1 - 2 * xi(g.y_center[j], 1) * center;
@@ -99,7 +108,7 @@ Complex rate_on(const Row& row, const SolidSpec& solid, int nx) {
   p.solid = support::made_of(solid, row.G, row.nu_s / row.nu_f);
   Setup setup(p, MPI_COMM_WORLD);
   setup.bulk_velocity.reset();
-  State s = state_at_rest(setup.grid, true);
+  State s = state_at_rest(setup);
   const InterfaceMode mode = mode_of(row);
   set_mode(s, setup, mode, 1e-4);
   const double interval = 2 * std::numbers::pi / mode.rate().imag() / 16;
