@@ -5,6 +5,7 @@
 #include "tests/support/carried_solid.hpp"
 #include "tests/support/convergence.hpp"
 #include "tests/support/physics.hpp"
+#include "tests/support/reversing_vortex.hpp"
 
 // Vortices that turn a solid and turn it back, and steady ones in which every particle's deformation is
 // known.
@@ -32,35 +33,23 @@ double worst_deformation(const Material& m, const Domain& d) {
   return worst;
 }
 
-/// `unit` turns the solid for T, slowing to a halt at T/2 and turning back.
+/// `unit` turns the solid, slowing to a halt at t = 1/2 and turning back.
 Reversing turn_and_return(Domain& d, const grid::VectorField& unit, int steps) {
-  const double T = 1;
-  grid::VectorField velocity(d.grid, 1);
-  const auto at = [&](double t) -> const grid::VectorField& {
-    const double s = std::cos(kPi * t / T);
-    support::copy(unit, velocity);
-    for (grid::Field* f : {&velocity.x, &velocity.y, &velocity.z}) {
-      for (int k = -1; k <= d.grid.nz; ++k) {
-        for (int j = -1; j <= d.grid.ny; ++j) {
-          for (int i = -1; i <= d.grid.nx; ++i) (*f)(i, j, k) *= s;
-        }
-      }
-    }
-    return velocity;
-  };
+  support::ReversingVelocity velocity(unit, d.grid);
   Reversing result;
   Material m = support::solid_everywhere(d.grid);
   Solid solid(support::carried_spec(), d.grid, d.decomposition, d.halo);
-  support::carry(solid, m, T / 2, steps / 2, at);
+  support::carry(solid, m, 0.5, steps / 2,
+                 [&](double t) -> const grid::VectorField& { return velocity.at(t); });
   EXPECT_GT(worst_deformation(m, d), 0.3) << "the flow must deform the solid for the test to mean anything";
   result.determinant = support::worst_determinant(m, d);
-  support::carry(solid, m, T / 2, steps / 2,
-                 [&](double t) -> const grid::VectorField& { return at(T / 2 + t); });
+  support::carry(solid, m, 0.5, steps / 2,
+                 [&](double t) -> const grid::VectorField& { return velocity.at(0.5 + t); });
   result.returned = worst_deformation(m, d);
   return result;
 }
 
-/// The velocity of a stream function on the edges normal to its plane: discretely solenoidal.
+/// The velocity of a stream function on the edges along y, between walls that slip: discretely solenoidal.
 Reversing vortex_in_xz(int n) {
   Domain d(MPI_COMM_WORLD, {n, 3, n}, {1, 1}, support::faces(3, 1));
   const auto& g = d.grid;
@@ -78,17 +67,7 @@ Reversing vortex_in_xz(int n) {
 
 Reversing vortex_in_xy(int n, double stretching) {
   Domain d(MPI_COMM_WORLD, {n, n, 3 * support::world_size()}, {1, 1}, support::faces(n, 1, stretching));
-  const auto& g = d.grid;
-  const auto psi = [&](int i, int j) {
-    return std::pow(std::sin(kPi * g.y_face[j]), 2) * std::sin(2 * kPi * i / n) / 12;
-  };
-  grid::VectorField unit(g, 1);
-  support::set_by_index(unit.x, g, g.ny,
-                        [&](int i, int j, int) { return (psi(i, j + 1) - psi(i, j)) / g.dy[j]; });
-  support::set_by_index(unit.y, g, g.ny,
-                        [&](int i, int j, int) { return -(psi(i + 1, j) - psi(i, j)) / g.dx; });
-  fluid::fill_ghosts(unit, {}, d.halo);
-  return turn_and_return(d, unit, 2 * n);
+  return turn_and_return(d, support::vortex_in_xy(d), 2 * n);
 }
 
 template <class Run>

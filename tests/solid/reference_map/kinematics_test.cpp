@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <numbers>
 
 #include "solver/solid/reference_map/reference_map.hpp"
 #include "solver/solid/reference_map/strain.hpp"
 #include "tests/support/fields.hpp"
 #include "tests/support/order.hpp"
 #include "tests/support/physics.hpp"
+#include "tests/support/reversing_vortex.hpp"
 
 // A displacement carried by velocities that are given: no momentum, exact answers known.
 namespace softwall::solid::reference_map {
@@ -16,7 +16,6 @@ namespace {
 using support::Domain;
 using support::kCenter;
 
-constexpr double kPi = std::numbers::pi;
 constexpr auto kMap = SolidFormulation::kReferenceMap;
 
 /// A layer over y >= at_rest.
@@ -105,31 +104,18 @@ struct Reversing {
   double volume = 0;    ///< largest |det A - 1| in full cells half way
 };
 
-/// `unit` turns the material for T, slowing to a halt at T/2 and turning back.
+/// `unit` turns the material, slowing to a halt at t = 1/2 and turning back.
 Reversing turn_and_return(Domain& d, const grid::VectorField& unit, int steps, double at_rest) {
-  const double T = 1;
-  grid::VectorField velocity(d.grid, 1);
-  const auto at = [&](double t) -> const grid::VectorField& {
-    const double s = std::cos(kPi * t / T);
-    support::copy(unit, velocity);
-    for (grid::Field* f : {&velocity.x, &velocity.y, &velocity.z}) {
-      for (int k = -1; k <= d.grid.nz; ++k) {
-        for (int j = -1; j <= d.grid.ny; ++j) {
-          for (int i = -1; i <= d.grid.nx; ++i) (*f)(i, j, k) *= s;
-        }
-      }
-    }
-    return velocity;
-  };
+  support::ReversingVelocity velocity(unit, d.grid);
   Reversing result;
   Material m = layer(d.grid, at_rest);
   ReferenceMap map(WenoWeights::kZ, d.grid, d.halo);
-  carry(map, m, T / 2, steps / 2, at);
+  carry(map, m, 0.5, steps / 2, [&](double t) -> const grid::VectorField& { return velocity.at(t); });
   const double deformed = support::worse(worst_error(m.B.xx, d, d.grid.ny / 2, d.grid.ny, 1),
                                          worst_error(m.B.zz, d, d.grid.ny / 2, d.grid.ny, 1));
   EXPECT_GT(deformed, 0.2) << "the flow must deform the solid for the test to mean anything";
   result.volume = worst_volume(m, d);
-  carry(map, m, T / 2, steps / 2, [&](double t) -> const grid::VectorField& { return at(T / 2 + t); });
+  carry(map, m, 0.5, steps / 2, [&](double t) -> const grid::VectorField& { return velocity.at(0.5 + t); });
   const auto& x = m.displacement;
   for (const grid::Field* f : {&x.x, &x.y, &x.z}) {
     for (int k = 0; k < d.grid.nz; ++k) {
@@ -144,35 +130,14 @@ Reversing turn_and_return(Domain& d, const grid::VectorField& unit, int steps, d
   return result;
 }
 
-/// The velocity of a stream function on the edges normal to its plane: discretely solenoidal.
 Reversing vortex_in_xy(int n, double stretching, double at_rest) {
   Domain d(MPI_COMM_WORLD, {n, n, 3 * support::world_size()}, {1, 1}, support::faces(n, 1, stretching));
-  const auto& g = d.grid;
-  const auto psi = [&](int i, int j) {
-    return std::pow(std::sin(kPi * g.y_face[j]), 2) * std::sin(2 * kPi * i / n) / 12;
-  };
-  grid::VectorField unit(g, 1);
-  support::set_by_index(unit.x, g, g.ny,
-                        [&](int i, int j, int) { return (psi(i, j + 1) - psi(i, j)) / g.dy[j]; });
-  support::set_by_index(unit.y, g, g.ny,
-                        [&](int i, int j, int) { return -(psi(i + 1, j) - psi(i, j)) / g.dx; });
-  fluid::fill_ghosts(unit, {}, d.halo);
-  return turn_and_return(d, unit, 2 * n, at_rest);
+  return turn_and_return(d, support::vortex_in_xy(d), 2 * n, at_rest);
 }
 
 Reversing vortex_in_yz(int n, double stretching, double at_rest) {
   Domain d(MPI_COMM_WORLD, {3, n, n}, {1, 1}, support::faces(n, 1, stretching));
-  const auto& g = d.grid;
-  const auto psi = [&](int k, int j) {
-    return std::pow(std::sin(kPi * g.y_face[j]), 2) * std::sin(2 * kPi * k / n) / 12;
-  };
-  grid::VectorField unit(g, 1);
-  support::set_by_index(unit.z, g, g.ny,
-                        [&](int, int j, int k) { return (psi(k, j + 1) - psi(k, j)) / g.dy[j]; });
-  support::set_by_index(unit.y, g, g.ny,
-                        [&](int, int j, int k) { return -(psi(k + 1, j) - psi(k, j)) / g.dz; });
-  fluid::fill_ghosts(unit, {}, d.halo);
-  return turn_and_return(d, unit, 2 * n, at_rest);
+  return turn_and_return(d, support::vortex_in_yz(d), 2 * n, at_rest);
 }
 
 template <class Vortex>
