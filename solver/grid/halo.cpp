@@ -60,14 +60,18 @@ void wrap(Side side, Field& f, RowSpan rows) {
   const auto cell = f.view();
   const Box to = shift_to(side, f, rows).to;
   const auto wrapped = [](int index, int n) { return (index % n + n) % n; };
-  for (int k = to.k0; k < to.k1; ++k) {
-    for (int j = to.j0; j < to.j1; ++j) {
-      if (in_x(side)) {
-        for (int i = to.i0; i < to.i1; ++i) cell(i, j, k) = cell(wrapped(i, f.nx()), j, k);
-      } else {
-        const Real* from = &cell(to.i0, j, wrapped(k, f.nz()));
-        std::copy(from, from + (to.i1 - to.i0), &cell(to.i0, j, k));
-      }
+  if (!in_x(side)) {
+    for (int k = to.k0; k < to.k1; ++k) {
+      const int from = wrapped(k, f.nz());
+      for (int j = to.j0; j < to.j1; ++j)
+        std::copy(&cell(to.i0, j, from), &cell(to.i1, j, from), &cell(to.i0, j, k));
+    }
+    return;
+  }
+  for (int i = to.i0; i < to.i1; ++i) {
+    const int from = wrapped(i, f.nx());
+    for (int k = to.k0; k < to.k1; ++k) {
+      for (int j = to.j0; j < to.j1; ++j) cell(i, j, k) = cell(from, j, k);
     }
   }
 }
