@@ -19,7 +19,7 @@ class Formulation {
 
   /// Lowest row that holds solid in any of this rank's columns; ny when none does. Reads the state alone: no
   /// ghost cells, nothing derived.
-  [[nodiscard]] virtual int lowest_row(const Material& material) const = 0;
+  [[nodiscard]] virtual int lowest_row(const Material& material) = 0;
 
   /// Fills ghost cells and derives, in rows from first_row on, what is not in the state. Done again, it
   /// changes no bit: a restart does.

@@ -52,7 +52,7 @@ TransportedB::TransportedB(const SolidSpec& spec, const Grid& grid,
   if (spec.extension == Extension::kNormal) normal_.emplace(grid, decomposition, halo);
 }
 
-int TransportedB::lowest_row(const Material& material) const {
+int TransportedB::lowest_row(const Material& material) {
   if (normal_) return 0;  // a body that moves about leaves dust anywhere
   const auto phi = material.phi.view();
   int lowest = 0;

@@ -20,7 +20,7 @@ class TransportedB : public Formulation {
   TransportedB(const SolidSpec& spec, const Grid& grid, const parallel::Decomposition& decomposition,
                grid::Halo& halo);
 
-  [[nodiscard]] int lowest_row(const Material& material) const override;
+  [[nodiscard]] int lowest_row(const Material& material) override;
   void make_consistent(Material& material, int first_row) override;
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
                  int first_row) override;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "solver/solid/reference_map/surface.hpp"
 
 /// The displacement below the surface: gradients in partly filled cells and the stencils of transport read
@@ -9,8 +11,22 @@
 /// points are torn apart, the line between them must not let the surface run away along the column.
 namespace softwall::solid::reference_map {
 
-/// Extrapolates the three components, where they live, down to row j0. heights: one column more on every
-/// side. `displacement` on the upper wall must be set; ghost columns are not written.
-void extrapolate(const Heights& heights, const Grid& grid, int j0, grid::VectorField& displacement);
+class Extrapolation {
+ public:
+  explicit Extrapolation(const Grid& grid);
+
+  /// Extrapolates the three components, where they live, down to row j0. heights: one column more at low x
+  /// and low z. `displacement` on the upper wall must be set; ghost columns are not written.
+  void extend(const Heights& heights, int j0, grid::VectorField& displacement);
+
+ private:
+  struct Bounds;
+  template <class SurfaceAt>
+  void extend(View<Real> d, const grid::RowArray& y, int j0, const Bounds& slopes, const SurfaceAt& surface);
+
+  const Grid& grid_;
+  std::vector<double> surface_;  ///< its heights over a line of points
+  std::vector<Real> slope_;      ///< of the lines through them
+};
 
 }  // namespace softwall::solid::reference_map

@@ -28,12 +28,13 @@ ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid, grid::Halo& ha
       before_(grid, 0),
       volume_(grid, 1),
       own_heights_(grid, 1),
-      wide_heights_(grid, 2) {}
+      wide_heights_(grid, 2),
+      extrapolation_(grid),
+      fractions_(grid) {}
 
-int ReferenceMap::lowest_row(const Material& m) const {
-  Heights heights(grid_, 0);
-  heights.find(m.displacement.y, m.surface_at_rest);
-  const double lowest = heights.lowest();
+int ReferenceMap::lowest_row(const Material& m) {
+  own_heights_.find(m.displacement.y, m.surface_at_rest);
+  const double lowest = own_heights_.lowest();
   int row = 0;
   while (row + 1 < grid_.ny && grid_.y_face[row + 1] <= lowest) ++row;
   return row;
@@ -66,9 +67,10 @@ void ReferenceMap::update(grid::VectorField& d, const Stage& stage, double dt, i
 void ReferenceMap::extend_below_surface(Material& m, int first_row) {
   auto& d = m.displacement;
   const int lowest = lowest_kept_row(first_row);
-  halo_.fill({&d.y}, {lowest, grid_.ny + 1});
+  for (const auto side : {grid::Side::kLowX, grid::Side::kLowZ})
+    halo_.fill_side(side, {&d.y}, {lowest, grid_.ny + 1});
   own_heights_.find(d.y, m.surface_at_rest);
-  extrapolate(own_heights_, grid_, lowest, d);
+  extrapolation_.extend(own_heights_, lowest, d);
 }
 
 void ReferenceMap::make_consistent(Material& m, int first_row) {
@@ -76,7 +78,7 @@ void ReferenceMap::make_consistent(Material& m, int first_row) {
   fill_beyond_walls(m.displacement, first_row);
   halo_.fill({&m.displacement.x, &m.displacement.y, &m.displacement.z}, span);
   wide_heights_.find(m.displacement.y, m.surface_at_rest);
-  fill_fraction(wide_heights_, grid_, first_row, m.phi);
+  fractions_.fill(wide_heights_, first_row, m.phi);
   find_strain(m, first_row);
 }
 
@@ -109,26 +111,30 @@ void ReferenceMap::find_strain(Material& m, int first_row) {
   const auto xx = m.B.xx.view(), yy = m.B.yy.view(), zz = m.B.zz.view(), xy = m.B.xy.view(),
              xz = m.B.xz.view(), yz = m.B.yz.view();
   const auto box = [&](int top) { return grid::Box{-1, g.nx + 1, first_row, top, -1, g.nz + 1}; };
-  grid::for_each_cell(box(g.ny), [=](int i, int j, int k) {
-    const MapGradient A = strain.center(i, j, k);
-    volume(i, j, k) = A.determinant();
-    const Real factor = volume_factor(volume(i, j, k));
-    xx(i, j, k) = factor * A.square_x();
-    yy(i, j, k) = factor * A.square_y();
-    zz(i, j, k) = factor * A.square_z();
-  });
-  grid::for_each_cell(box(g.ny + 1), [=](int i, int j, int k) {
-    const MapGradient A = strain.edge_xy(i, j, k);
-    xy(i, j, k) = volume_factor(A.determinant()) * A.product_xy();
-  });
-  grid::for_each_cell(box(g.ny), [=](int i, int j, int k) {
-    const MapGradient A = strain.edge_xz(i, j, k);
-    xz(i, j, k) = volume_factor(A.determinant()) * A.product_xz();
-  });
-  grid::for_each_cell(box(g.ny + 1), [=](int i, int j, int k) {
-    const MapGradient A = strain.edge_yz(i, j, k);
-    yz(i, j, k) = volume_factor(A.determinant()) * A.product_yz();
-  });
+  grid::for_each_cell(
+      box(g.ny), [=](int i, int j, int k) __attribute__((always_inline)) {
+        const MapGradient A = strain.center(i, j, k);
+        volume(i, j, k) = A.determinant();
+        const Real factor = volume_factor(volume(i, j, k));
+        xx(i, j, k) = factor * A.square_x();
+        yy(i, j, k) = factor * A.square_y();
+        zz(i, j, k) = factor * A.square_z();
+      });
+  grid::for_each_cell(
+      box(g.ny + 1), [=](int i, int j, int k) __attribute__((always_inline)) {
+        const MapGradient A = strain.edge_xy(i, j, k);
+        xy(i, j, k) = volume_factor(A.determinant()) * A.product_xy();
+      });
+  grid::for_each_cell(
+      box(g.ny), [=](int i, int j, int k) __attribute__((always_inline)) {
+        const MapGradient A = strain.edge_xz(i, j, k);
+        xz(i, j, k) = volume_factor(A.determinant()) * A.product_xz();
+      });
+  grid::for_each_cell(
+      box(g.ny + 1), [=](int i, int j, int k) __attribute__((always_inline)) {
+        const MapGradient A = strain.edge_yz(i, j, k);
+        yz(i, j, k) = volume_factor(A.determinant()) * A.product_yz();
+      });
   limited_cells_ +=
       static_cast<std::int64_t>(grid::sum_cells(grid::rows(g, first_row, g.ny), [=](int i, int j, int k) {
         return phi(i, j, k) > 0 && volume(i, j, k) < kLeastVolume ? 1.0 : 0.0;

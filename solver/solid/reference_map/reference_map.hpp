@@ -3,6 +3,7 @@
 #include "solver/case/case.hpp"
 #include "solver/grid/halo.hpp"
 #include "solver/solid/formulation.hpp"
+#include "solver/solid/reference_map/extrapolation.hpp"
 #include "solver/solid/reference_map/surface.hpp"
 
 /// The reference map (Kamrin, Rycroft & Nave, J. Mech. Phys. Solids 60, 2012; Rycroft, Wu, Yu & Kamrin, J.
@@ -17,7 +18,7 @@ class ReferenceMap : public Formulation {
  public:
   ReferenceMap(WenoWeights weights, const Grid& grid, grid::Halo& halo);
 
-  [[nodiscard]] int lowest_row(const Material& material) const override;
+  [[nodiscard]] int lowest_row(const Material& material) override;
   void make_consistent(Material& material, int first_row) override;
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
                  int first_row) override;
@@ -38,6 +39,8 @@ class ReferenceMap : public Formulation {
   grid::VectorField now_, before_;
   grid::Field volume_;  ///< det A at centers
   Heights own_heights_, wide_heights_;
+  Extrapolation extrapolation_;
+  CellFractions fractions_;
   std::int64_t limited_cells_ = 0;
 };
 

@@ -1,7 +1,6 @@
 #include "solver/solid/reference_map/surface.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 namespace softwall::solid::reference_map {
@@ -21,7 +20,16 @@ struct Step {
   }
 };
 
-constexpr int kStrips = 4;
+/// Smallest y - d_y of n columns side by side.
+double least_rest(const Real* d, int n, double y) {
+  double least = y - d[0];
+#pragma omp simd reduction(min : least)
+  for (int i = 0; i < n; ++i) {
+    const double rest = y - d[i];
+    least = rest < least ? rest : least;
+  }
+  return least;
+}
 
 /// Height of the surface over strip (a, c) of column i, from the heights of the four columns around it.
 struct Strip {
@@ -34,25 +42,10 @@ struct Strip {
   }
 };
 
-Strip strip(int a, int c) {
-  const auto offset = [](int n) { return (n + double(0.5)) / kStrips - double(0.5); };
-  const auto side = [](int n) { return 2 * n < kStrips ? -1 : 1; };
+Strip strip(int a, int c, int strips) {
+  const auto offset = [=](int n) { return (n + double(0.5)) / strips - double(0.5); };
+  const auto side = [=](int n) { return 2 * n < strips ? -1 : 1; };
   return {side(a), side(c), offset(a) * side(a), offset(c) * side(c)};
-}
-
-using StripHeights = std::array<std::vector<double>, std::size_t{kStrips} * kStrips>;
-
-/// Heights over the strips of the columns -1 <= i <= nx of one line, stored from element 0 on.
-void find_strips(const Heights& heights, int nx, int k, StripHeights& strips) {
-  for (int c = 0; c < kStrips; ++c) {
-    for (int a = 0; a < kStrips; ++a) {
-      const Strip s = strip(a, c);
-      const double *near = heights.row(k), *far = heights.row(k + s.to_z);
-      double* const out = strips[static_cast<std::size_t>(c * kStrips + a)].data() + 1;
-#pragma omp simd
-      for (int i = -1; i <= nx; ++i) out[i] = s.height(near, far, i);
-    }
-  }
 }
 
 }  // namespace
@@ -63,6 +56,7 @@ Heights::Heights(const Grid& grid, int ghost)
       stride_(grid.nx + 2 * ghost),
       values_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(grid.nz + 2 * ghost)) {}
 
+/// Rows above the highest point of a line's surface, most of the layer, are only looked at.
 void Heights::find(const grid::Field& displacement, double at_rest) {
   const auto d = displacement.view();
   const auto& y = grid_.y_face;
@@ -70,8 +64,9 @@ void Heights::find(const grid::Field& displacement, double at_rest) {
   for (int k = -ghost_; k < grid_.nz + ghost_; ++k) {
     double* const eta = values_.data() + offset(k);
     std::fill(eta + i0, eta + i1, kPending);
-    int pending = i1 - i0;
-    for (int j = grid_.ny - 1; j >= 0 && pending > 0; --j) {
+    int j = grid_.ny - 1, pending = i1 - i0;
+    while (j >= 0 && least_rest(&d(i0, j, k), i1 - i0, y[j]) > at_rest) --j;
+    for (; j >= 0 && pending > 0; --j) {
       const Step step{y[j + 1], y[j], at_rest};
       pending = 0;
 #pragma omp simd reduction(+ : pending)
@@ -93,23 +88,56 @@ double Heights::lowest() const {
   return lowest;
 }
 
-void fill_fraction(const Heights& heights, const Grid& g, int j0, grid::Field& fraction) {
-  const auto phi = fraction.view();
-  StripHeights strips;
-  for (auto& s : strips) s.resize(static_cast<std::size_t>(g.nx) + 2);
-  for (int k = -1; k <= g.nz; ++k) {
-    find_strips(heights, g.nx, k, strips);
-    for (int j = j0; j < g.ny; ++j) {
-      const double bottom = g.y_face[j], top = g.y_face[j + 1], inv_dy = 1 / g.dy[j];
-      Real* const row = &phi(0, j, k);
-      std::fill(row - 1, row + g.nx + 1, Real(0));
-      for (const auto& s : strips) {
-        const double* const height = s.data() + 1;
+CellFractions::CellFractions(const Grid& grid) : grid_(grid) {
+  for (auto& s : strips_) s.resize(static_cast<std::size_t>(grid.nx) + 2);
+}
+
+CellFractions::Range CellFractions::find_strips(const Heights& heights, int k) {
+  double lowest = grid_.y_face[grid_.ny], highest = grid_.y_face[0];
+  for (int c = 0; c < kStrips; ++c) {
+    for (int a = 0; a < kStrips; ++a) {
+      const Strip s = strip(a, c, kStrips);
+      const double *near = heights.row(k), *far = heights.row(k + s.to_z);
+      double* const out = strips_[static_cast<std::size_t>(c * kStrips + a)].data() + 1;
+#pragma omp simd reduction(min : lowest) reduction(max : highest)
+      for (int i = -1; i <= grid_.nx; ++i) {
+        const double height = s.height(near, far, i);
+        lowest = height < lowest ? height : lowest;
+        highest = height > highest ? height : highest;
+        out[i] = height;
+      }
+    }
+  }
+  return {lowest, highest};
+}
+
+/// phi: of cell (0, j, k).
+void CellFractions::fill_crossed_row(double bottom, double top, Real* phi) const {
+  const int nx = grid_.nx;
+  const double inverse = 1 / (top - bottom);
+  std::fill(phi - 1, phi + nx + 1, Real(0));
+  for (const auto& s : strips_) {
+    const double* const height = s.data() + 1;
 #pragma omp simd
-        for (int i = -1; i <= g.nx; ++i) {
-          const double share = height[i] <= bottom ? 1 : (top - height[i]) * inv_dy;
-          row[i] += Real((share > 0 ? share : 0) / (kStrips * kStrips));
-        }
+    for (int i = -1; i <= nx; ++i) {
+      const double share = height[i] <= bottom ? 1 : (top - height[i]) * inverse;
+      phi[i] += Real((share > 0 ? share : 0) / (kStrips * kStrips));
+    }
+  }
+}
+
+void CellFractions::fill(const Heights& heights, int j0, grid::Field& fraction) {
+  const Grid& g = grid_;
+  const auto phi = fraction.view();
+  for (int k = -1; k <= g.nz; ++k) {
+    const Range surface = find_strips(heights, k);
+    for (int j = j0; j < g.ny; ++j) {
+      const double bottom = g.y_face[j], top = g.y_face[j + 1];
+      Real* const row = &phi(0, j, k);
+      if (surface.highest > bottom && surface.lowest < top) {
+        fill_crossed_row(bottom, top, row);
+      } else {
+        std::fill(row - 1, row + g.nx + 1, Real(surface.highest <= bottom ? 1 : 0));
       }
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "solver/grid/field.hpp"
@@ -37,7 +38,26 @@ class Heights {
 
 /// phi: the share of each cell that lies above the surface, taken bilinear between the centers of columns and
 /// measured on 4 x 4 strips of each column. Over a column phi adds up to the mean depth of its strips
-/// exactly. Rows j0 <= j < ny, in this rank's columns and one more on every side (heights: two more).
-void fill_fraction(const Heights& heights, const Grid& grid, int j0, grid::Field& phi);
+/// exactly.
+class CellFractions {
+ public:
+  explicit CellFractions(const Grid& grid);
+
+  /// Rows j0 <= j < ny, in this rank's columns and one more on every side (heights: two more).
+  void fill(const Heights& heights, int j0, grid::Field& phi);
+
+ private:
+  static constexpr int kStrips = 4;
+  /// Of the surface over one line of columns.
+  struct Range {
+    double lowest, highest;
+  };
+  Range find_strips(const Heights& heights, int k);
+  void fill_crossed_row(double bottom, double top, Real* phi) const;
+
+  const Grid& grid_;
+  /// Heights over the strips of the columns -1 <= i <= nx of one line, stored from element 0 on.
+  std::array<std::vector<double>, std::size_t{kStrips} * kStrips> strips_;
+};
 
 }  // namespace softwall::solid::reference_map

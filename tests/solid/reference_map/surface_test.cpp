@@ -64,7 +64,7 @@ TEST(Fraction, AddsUpToTheDepthOfTheSolid) {
     Heights heights(d.grid, 2);
     heights.find(displacement.y, kAtRest);
     grid::Field phi(d.grid, 1);
-    fill_fraction(heights, d.grid, 0, phi);
+    CellFractions(d.grid).fill(heights, 0, phi);
     double volume = 0, columns = 0;
     for (int k = 0; k < d.grid.nz; ++k) {
       for (int i = 0; i < d.grid.nx; ++i) {
@@ -113,7 +113,7 @@ TEST(Extrapolation, GoesOnInAStraightLineAndLeavesTheSolidAlone) {
   spoil(displacement.x, g.y_center, 0);
   spoil(displacement.y, g.y_face, 0.5);
   spoil(displacement.z, g.y_center, 0.5);
-  extrapolate(heights, g, 0, displacement);
+  Extrapolation(g).extend(heights, 0, displacement);
   const auto expect_same = [&](const grid::Field& a, const grid::Field& b, int top) {
     for (int k = 0; k < g.nz; ++k) {
       for (int j = 0; j < top; ++j) {
