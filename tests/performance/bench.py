@@ -42,9 +42,14 @@ def seconds_of_dd(folder, size):
     return statistics.median(seconds)
 
 
+def samples(run):
+    """The names of what was measured: "rigid", "elastic" (the default formulation) and the other formulations."""
+    return [name for name in run if name == "rigid" or name.startswith("elastic")]
+
+
 def show(run):
     """One table a run, for people."""
-    for name in ("rigid", "elastic"):
+    for name in samples(run):
         sample = run[name]
         grid = " x ".join(map(str, sample["grid"]))
         print(f"{name}, {grid}, {run['precision']}, {run['ranks']} ranks: {sample['ns']:.1f} ns per cell and step "
@@ -68,11 +73,14 @@ def summary(runs):
         "triad_gb_s": two["triad_gb_s"],
         "traffic_bound_ns": two["traffic_bound_ns"],
         "rigid_over_bound": rigid["ns"] / two["traffic_bound_ns"],
-        "allocations_per_step": max(rigid["allocations_per_step"], elastic["allocations_per_step"]),
+        "allocations_per_step": max(two[name]["allocations_per_step"] for name in samples(two)),
         "bytes_per_cell_rigid": rigid["bytes_per_cell"],
         "bytes_per_cell_elastic": elastic["bytes_per_cell"],
         "statistics_share": rigid["phases"]["statistics"]["ns"] / rigid["ns"],
     }
+    for name in samples(two):
+        if name not in ("rigid", "elastic"):
+            result[f"{name}_over_rigid"] = two[name]["ns"] / rigid["ns"]
     if 1 in runs:
         result["efficiency_2"] = runs[1]["rigid"]["ns"] / (2 * rigid["ns"])
     return result
@@ -85,7 +93,9 @@ def compare(build, other):
         for each in (build, other):
             speeds[each].append(measure(each, 2))
     ratio = {}
-    for name in ("rigid", "elastic"):
+    for name in samples(speeds[build][0]):
+        if name not in speeds[other][0]:
+            continue
         new, old = ([run[name]["ns"] for run in speeds[each]] for each in (build, other))
         ratio[name] = {"new_ns": statistics.median(new), "old_ns": statistics.median(old),
                        "new_ns_min": min(new), "old_ns_min": min(old),

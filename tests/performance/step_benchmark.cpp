@@ -1,9 +1,12 @@
-// mpirun -n RANKS step_benchmark [--short] [--folder FOLDER]
+// mpirun -n RANKS step_benchmark [--short] [--sample NAME] [--repetitions N] [--folder FOLDER]
 // The speed of a whole step as the solver makes it: choose dt, then advance. Prints one line of JSON, on rank
-// 0: for each sample nanoseconds per cell and step, the phases, messages, allocations and memory; and the
-// bandwidth that the same ranks reach at the same time. With a folder it also writes checkpoints there.
+// 0: for each sample, or the named one only, nanoseconds per cell and step, the phases, messages, allocations
+// and memory; and the bandwidth that the same ranks reach at the same time. Samples: "rigid", "elastic" (the
+// formulation of the solid that a case has by default) and "elastic_NAME" for every other formulation. With a
+// folder it also writes checkpoints there.
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -28,32 +31,64 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kWarmUpSteps = 3, kSteps = 10, kRepetitions = 5;
+constexpr int kWarmUpSteps = 3, kSteps = 10;
 /// Traffic of a step in double precision if each substep reads and writes every field once in each of its
 /// sweeps that cannot be one: 3 x (predictor 128, right-hand side to spectrum and back 64, its exchange 30,
 /// correction 72) and the time step's 24, a write counting its read.
 constexpr double kBytesOfAFusedStep = 955;
 
-struct Sample {
-  const char* name;
-  const char* flow;
-  int nx, ny_fluid, ny_solid, nz;
+struct Options {
+  bool is_short = false;
+  int repetitions = 5;       ///< of kSteps steps
+  std::string only, folder;  ///< one sample; where checkpoints go
 };
-constexpr Sample kLong[] = {{"rigid", "rigid_channel", 128, 96, 0, 128},
-                            {"elastic", "elastic_wall", 128, 96, 24, 128}};
-constexpr Sample kShort[] = {{"rigid", "rigid_channel", 32, 32, 0, 32},
-                             {"elastic", "elastic_wall", 32, 32, 8, 32}};
 
-Physics physics_of(const Sample& s) {
+Options options_of(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    const auto value = [&] { return i + 1 < argc ? argv[++i] : ""; };
+    if (argument == "--short") options.is_short = true;
+    if (argument == "--sample") options.only = value();
+    if (argument == "--repetitions") options.repetitions = std::max(1, std::atoi(value()));
+    if (argument == "--folder") options.folder = value();
+  }
+  return options;
+}
+
+/// Cells in x and z, below and in the layer.
+struct Cells {
+  int nx, nz, ny_fluid, ny_solid;
+};
+constexpr Cells kLong{128, 128, 96, 24}, kShort{32, 32, 32, 8};
+
+struct Sample {
+  std::string name;
+  Physics physics;
+};
+
+json definition_of(const char* flow, const Cells& cells) {
   json definition{{"format", 1}, {"run", {{"end_time", 1}}}};
   json& physics = definition["physics"];
-  physics["flow"] = s.flow;
-  physics["grid"] = {{"nx", s.nx}, {"ny_fluid", s.ny_fluid}, {"nz", s.nz}, {"stretching", 1.3}};
-  if (s.ny_solid > 0) {
-    physics["grid"]["ny_solid"] = s.ny_solid;
-    physics["solid"] = {{"G", 1}};
+  physics["flow"] = flow;
+  physics["grid"] = {{"nx", cells.nx}, {"ny_fluid", cells.ny_fluid}, {"nz", cells.nz}, {"stretching", 1.3}};
+  return definition;
+}
+
+/// A rigid channel, and the same with a layer more in every formulation, the default one first.
+std::vector<Sample> samples_of(const Cells& cells) {
+  std::vector<Sample> samples{{"rigid", parse_case(definition_of("rigid_channel", cells).dump()).physics}};
+  json elastic = definition_of("elastic_wall", cells);
+  elastic["physics"]["grid"]["ny_solid"] = cells.ny_solid;
+  elastic["physics"]["solid"]["G"] = 1;
+  samples.push_back({"elastic", parse_case(elastic.dump()).physics});
+  for (const std::string formulation : {"transported_B", "reference_map"}) {
+    elastic["physics"]["solid"]["formulation"] = formulation;
+    const Physics physics = parse_case(elastic.dump()).physics;
+    if (physics.solid->formulation != samples[1].physics.solid->formulation)
+      samples.push_back({"elastic_" + formulation, physics});
   }
-  return parse_case(definition.dump()).physics;
+  return samples;
 }
 
 double median(std::vector<double> values) {
@@ -122,10 +157,9 @@ json measure_checkpoint(time::State& state, time::Setup& setup, const std::files
   return {{"seconds", median(seconds)}, {"bytes", output::checkpoint_bytes(state, setup.grid)}};
 }
 
-json measure(const Sample& sample, const parallel::Communicator& world, const std::string& folder) {
+json measure(const Sample& sample, const Options& options, const parallel::Communicator& world) {
   const double before = resident();
-  const Physics physics = physics_of(sample);
-  time::Setup setup(physics, MPI_COMM_WORLD);
+  time::Setup setup(sample.physics, MPI_COMM_WORLD);
   time::State state = time::perturbed_laminar(setup);
   statistics::Statistics statistics(setup);
   for (int step = 0; step < kWarmUpSteps; ++step) timed_step(state, setup);
@@ -134,7 +168,7 @@ json measure(const Sample& sample, const parallel::Communicator& world, const st
   setup.profile.reset(true);
   std::vector<double> speeds;
   std::int64_t allocated = 0;
-  for (int repetition = 0; repetition < kRepetitions; ++repetition) {
+  for (int repetition = 0; repetition < options.repetitions; ++repetition) {
     double seconds = 0;
     for (int step = 0; step < kSteps; ++step) {
       const std::int64_t allocations_before = support::allocations();
@@ -144,45 +178,33 @@ json measure(const Sample& sample, const parallel::Communicator& world, const st
     }
     speeds.push_back(1e9 * seconds / (kSteps * cells));
   }
-  constexpr int kAll = kSteps * kRepetitions;
-  json result{{"grid", {sample.nx, sample.ny_fluid + sample.ny_solid, sample.nz}},
+  const int all = kSteps * options.repetitions;
+  json result{{"grid", {setup.grid.nx_global, setup.grid.ny, setup.grid.nz_global}},
               {"ns", median(speeds)},
               {"ns_min", *std::min_element(speeds.begin(), speeds.end())},
               {"ns_max", *std::max_element(speeds.begin(), speeds.end())},
-              {"phases", phases_of(setup, cells, kAll)},
-              {"allocations_per_step", parallel::sum(world, double(allocated)) / kAll},
+              {"phases", phases_of(setup, cells, all)},
+              {"allocations_per_step", parallel::sum(world, double(allocated)) / all},
               {"bytes_per_cell", parallel::sum(world, resident() - before) / cells},
               {"finite", time::is_finite(state, setup.decomposition)}};
-  if (!folder.empty()) result["checkpoint"] = measure_checkpoint(state, setup, folder);
+  if (!options.folder.empty()) result["checkpoint"] = measure_checkpoint(state, setup, options.folder);
   return result;
 }
 
 int run(int argc, char** argv) {
   const parallel::Session session(&argc, &argv);
   const auto world = parallel::Communicator::duplicate(MPI_COMM_WORLD);
-  bool is_short = false;
-  std::string folder;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--short") is_short = true;
-    if (argument == "--folder" && i + 1 < argc) folder = argv[++i];
-  }
+  const Options options = options_of(argc, argv);
   const double bandwidth = triad(world);
   json all{{"ranks", world.size()},
            {"precision", sizeof(grid::Real) == sizeof(double) ? "double" : "single"},
            {"triad_gb_s", 1e-9 * bandwidth},
            {"traffic_bound_ns", 1e9 * kBytesOfAFusedStep * sizeof(grid::Real) / sizeof(double) / bandwidth}};
   bool sound = bandwidth > 0;
-  const auto measure_all = [&](const auto& samples) {
-    for (const Sample& sample : samples) {
-      all[sample.name] = measure(sample, world, folder);
-      sound = sound && all[sample.name]["finite"] && all[sample.name]["ns"] > 0;
-    }
-  };
-  if (is_short) {
-    measure_all(kShort);
-  } else {
-    measure_all(kLong);
+  for (const Sample& sample : samples_of(options.is_short ? kShort : kLong)) {
+    if (!options.only.empty() && sample.name != options.only) continue;
+    all[sample.name] = measure(sample, options, world);
+    sound = sound && all[sample.name]["finite"] && all[sample.name]["ns"] > 0;
   }
   if (world.rank() == 0) std::cout << all.dump() << std::endl;
   return sound ? 0 : 1;
