@@ -5,7 +5,6 @@
 
 #include "solver/grid/cell_loop.hpp"
 #include "solver/solid/reference_map/extrapolation.hpp"
-#include "solver/solid/reference_map/strain.hpp"
 #include "solver/solid/reference_map/transport.hpp"
 #include "solver/solid/reference_map/volume.hpp"
 
@@ -27,6 +26,7 @@ ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid, grid::Halo& ha
       now_(grid, 0),
       before_(grid, 0),
       volume_(grid, 1),
+      strain_(grid),
       own_heights_(grid, 1),
       wide_heights_(grid, 2),
       extrapolation_(grid),
@@ -106,35 +106,10 @@ void ReferenceMap::fill_beyond_walls(grid::VectorField& d, int first_row) const 
 
 void ReferenceMap::find_strain(Material& m, int first_row) {
   const Grid& g = grid_;
-  const Strain strain = strain_of(m.displacement, g);
   const auto phi = m.phi.view(), volume = volume_.view();
-  const auto xx = m.B.xx.view(), yy = m.B.yy.view(), zz = m.B.zz.view(), xy = m.B.xy.view(),
-             xz = m.B.xz.view(), yz = m.B.yz.view();
-  const auto box = [&](int top) { return grid::Box{-1, g.nx + 1, first_row, top, -1, g.nz + 1}; };
-  grid::for_each_cell(
-      box(g.ny), [=](int i, int j, int k) __attribute__((always_inline)) {
-        const MapGradient A = strain.center(i, j, k);
-        volume(i, j, k) = A.determinant();
-        const Real factor = volume_factor(volume(i, j, k));
-        xx(i, j, k) = factor * A.square_x();
-        yy(i, j, k) = factor * A.square_y();
-        zz(i, j, k) = factor * A.square_z();
-      });
-  grid::for_each_cell(
-      box(g.ny + 1), [=](int i, int j, int k) __attribute__((always_inline)) {
-        const MapGradient A = strain.edge_xy(i, j, k);
-        xy(i, j, k) = volume_factor(A.determinant()) * A.product_xy();
-      });
-  grid::for_each_cell(
-      box(g.ny), [=](int i, int j, int k) __attribute__((always_inline)) {
-        const MapGradient A = strain.edge_xz(i, j, k);
-        xz(i, j, k) = volume_factor(A.determinant()) * A.product_xz();
-      });
-  grid::for_each_cell(
-      box(g.ny + 1), [=](int i, int j, int k) __attribute__((always_inline)) {
-        const MapGradient A = strain.edge_yz(i, j, k);
-        yz(i, j, k) = volume_factor(A.determinant()) * A.product_yz();
-      });
+  strain_.run(strain_of(m.displacement, g), first_row,
+              {m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(), m.B.yz.view(),
+               volume_.view()});
   limited_cells_ +=
       static_cast<std::int64_t>(grid::sum_cells(grid::rows(g, first_row, g.ny), [=](int i, int j, int k) {
         return phi(i, j, k) > 0 && volume(i, j, k) < kLeastVolume ? 1.0 : 0.0;

@@ -4,6 +4,7 @@
 #include "solver/grid/halo.hpp"
 #include "solver/solid/formulation.hpp"
 #include "solver/solid/reference_map/extrapolation.hpp"
+#include "solver/solid/reference_map/strain_sweep.hpp"
 #include "solver/solid/reference_map/surface.hpp"
 
 /// The reference map (Kamrin, Rycroft & Nave, J. Mech. Phys. Solids 60, 2012; Rycroft, Wu, Yu & Kamrin, J.
@@ -38,6 +39,7 @@ class ReferenceMap : public Formulation {
   grid::Halo& halo_;
   grid::VectorField now_, before_;
   grid::Field volume_;  ///< det A at centers
+  StrainSweep strain_;
   Heights own_heights_, wide_heights_;
   Extrapolation extrapolation_;
   CellFractions fractions_;

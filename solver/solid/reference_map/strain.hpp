@@ -62,14 +62,15 @@ struct MapGradient {
 
 /// J^(-4/3), J = det A. With e = 1 - J r^3, J^(-1/3) = r (1 - e)^(-1/3) for any r: the first r is a Pade
 /// approximant, the next one takes the series in e as far as e^4; then e^4 itself is round-off for
-/// 0.25 < J < 4.5. Exactly 1 for 1. Beyond J = 5, where the approximant would be too large for the series,
-/// what is found is positive and less than the power. Without branches and with one division, so that the
-/// compiler can vectorize.
+/// 0.25 < J < 4.5. Exactly 1 for 1. Beyond J = 5, where the approximant would be too large for the series, it
+/// is made to fall like 1 / J, so that what is found is positive. Without branches (an absolute value spares
+/// the second one, for which GCC would do all of it twice) and with one division, for the compiler to
+/// vectorize.
 [[gnu::always_inline]] inline Real volume_factor(Real determinant) {
   constexpr auto ratio = [](int numerator, int denominator) { return Real(numerator) / Real(denominator); };
   const Real J = determinant < kLeastVolume ? kLeastVolume : determinant;
-  const bool torn = J > 5;
-  Real r = (torn ? 3 : 2 + J) / (torn ? 2 + J : 1 + 2 * J);
+  const Real twice_beyond = J - 5 + std::abs(J - 5);
+  Real r = (2 + J) / (1 + 2 * J + ratio(1, 20) * J * twice_beyond);
   Real e = 1 - J * (r * r * r);
   r += r * e * (ratio(1, 3) + e * (ratio(2, 9) + e * (ratio(14, 81) + e * ratio(35, 243))));
   e = 1 - J * (r * r * r);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/solid/reference_map/strain_sweep.hpp"
+
 #include "tests/support/fields.hpp"
 #include "tests/support/momentum_views.hpp"
 
@@ -83,6 +85,51 @@ TEST_P(GradientOf, ALinearDisplacementIsExactEverywhere) {
     expect(strain.edge_xy(1, j, 2));
     expect(strain.edge_xz(1, j, 2));
     expect(strain.edge_yz(1, j, 2));
+  }
+}
+
+/// The sweep keeps means from row to row; it must find what the kernels find at each place alone.
+TEST(StrainSweep, FindsWhatTheKernelsFindAtEachPlace) {
+  for (const support::Domain::Size& n : {support::Domain::Size{9, 7, 4}, {16, 5, 3}}) {
+    support::Domain d(MPI_COMM_WORLD, n, {}, support::faces(n.ny, 2, 1.4));
+    const auto& g = d.grid;
+    grid::VectorField displacement(g, 3);
+    int seed = 0;
+    for (grid::Field* f : {&displacement.x, &displacement.y, &displacement.z}) {
+      ++seed;
+      grid::for_each_cell({-3, g.nx + 3, -3, g.ny + 3, -3, g.nz + 3},
+                          [&](int i, int j, int k) { (*f)(i, j, k) = 0.02 * support::noise(seed, i, j, k); });
+    }
+    const Strain strain = strain_of(displacement, g);
+    for (const int first_row : {0, 2}) {
+      grid::TensorField B(g, 1);
+      grid::Field determinant(g, 1);
+      StrainSweep(g).run(
+          strain, first_row,
+          {B.xx.view(), B.yy.view(), B.zz.view(), B.xy.view(), B.xz.view(), B.yz.view(), determinant.view()});
+      double worst = 0, largest = 0;
+      const auto compare = [&](double found, double expected) {
+        worst = support::worse(worst, std::abs(found - expected));
+        largest = support::worse(largest, std::abs(expected - 1));
+      };
+      for (int k = -1; k <= g.nz; ++k) {
+        for (int j = first_row; j <= g.ny; ++j) {
+          for (int i = -1; i <= g.nx; ++i) {
+            compare(B.xy(i, j, k), left_cauchy_green(strain.edge_xy(i, j, k)).xy);
+            compare(B.yz(i, j, k), left_cauchy_green(strain.edge_yz(i, j, k)).yz);
+            if (j == g.ny) continue;
+            const MapGradient A = strain.center(i, j, k);
+            compare(determinant(i, j, k), A.determinant());
+            compare(B.xx(i, j, k), left_cauchy_green(A).xx);
+            compare(B.yy(i, j, k), left_cauchy_green(A).yy);
+            compare(B.zz(i, j, k), left_cauchy_green(A).zz);
+            compare(B.xz(i, j, k), left_cauchy_green(strain.edge_xz(i, j, k)).xz);
+          }
+        }
+      }
+      EXPECT_GT(largest, 0.1);
+      EXPECT_LT(worst, 1e-12 * largest);
+    }
   }
 }
 
