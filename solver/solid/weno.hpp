@@ -17,26 +17,32 @@ inline Real weno5(Real q0, Real q1, Real q2, Real q3, Real q4) {
   constexpr Real kTinyZ = sizeof(Real) == sizeof(float) ? 1e-8 : 1e-20;
   constexpr Real kTiny = kWeights == WenoWeights::kJiangShu ? Real(1e-6) : kTinyZ;
   const auto square = [](Real x) { return x * x; };
-  const Real b0 = Real(13.0 / 12) * square(q0 - 2 * q1 + q2) + Real(0.25) * square(q0 - 4 * q1 + 3 * q2);
-  const Real b1 = Real(13.0 / 12) * square(q1 - 2 * q2 + q3) + Real(0.25) * square(q1 - q3);
-  const Real b2 = Real(13.0 / 12) * square(q2 - 2 * q3 + q4) + Real(0.25) * square(3 * q2 - 4 * q3 + q4);
+  // In first differences e and second ones s the indicators 13/12 (q0 - 2 q1 + q2)^2 + 1/4 (q0 - 4 q1 + 3
+  // q2)^2,
+  // ... are short; c_r = tiny + b_r.
+  const Real e1 = q2 - q1, e2 = q3 - q2;
+  const Real s0 = e1 - (q1 - q0), s1 = e2 - e1, s2 = (q4 - q3) - e2;
+  const Real f1 = kTiny + square(e1), f2 = kTiny + square(e2);
+  const Real c0 = f1 + s0 * (e1 + Real(4.0 / 3) * s0);
+  const Real c1 = f1 + s1 * (e1 + Real(4.0 / 3) * s1);
+  const Real c2 = f2 + s2 * (Real(4.0 / 3) * s2 - e2);
   Real a0, a1, a2;
   if constexpr (kWeights == WenoWeights::kJiangShu) {
-    // a_r = d_r / (tiny + b_r)^2, brought to one denominator.
-    const Real s0 = square(kTiny + b0), s1 = square(kTiny + b1), s2 = square(kTiny + b2);
-    a0 = Real(0.1) * s1 * s2;
-    a1 = Real(0.6) * s0 * s2;
-    a2 = Real(0.3) * s0 * s1;
+    // a_r = d_r / c_r^2, brought to one denominator.
+    const Real w0 = square(c0), w1 = square(c1), w2 = square(c2);
+    a0 = Real(0.1) * w1 * w2;
+    a1 = Real(0.6) * w0 * w2;
+    a2 = Real(0.3) * w0 * w1;
   } else {
-    // a_r = d_r (1 + (tau / c_r)^2), tau = |b0 - b2|, c_r = tiny + b_r; one division serves the three.
-    const Real c0 = kTiny + b0, c1 = kTiny + b1, c2 = kTiny + b2;
-    const Real scale = (b0 - b2) / (c0 * c1 * c2);
-    a0 = Real(0.1) * (1 + square(scale * (c1 * c2)));
-    a1 = Real(0.6) * (1 + square(scale * (c0 * c2)));
-    a2 = Real(0.3) * (1 + square(scale * (c0 * c1)));
+    // a_r = d_r (1 + (tau / c_r)^2), tau = |b0 - b2|; one division serves the three.
+    const Real scale = (c0 - c2) / (c0 * c1 * c2);
+    a0 = Real(0.1) + Real(0.1) * square(scale * (c1 * c2));
+    a1 = Real(0.6) + Real(0.6) * square(scale * (c0 * c2));
+    a2 = Real(0.3) + Real(0.3) * square(scale * (c0 * c1));
   }
-  const Real p0 = 2 * q0 - 7 * q1 + 11 * q2, p1 = -q1 + 5 * q2 + 2 * q3, p2 = 2 * q2 + 5 * q3 - q4;
-  return (a0 * p0 + a1 * p1 + a2 * p2) / (6 * (a0 + a1 + a2));
+  // What the three parabolas add to q2, six times.
+  const Real p0 = 3 * e1 + 2 * s0, p1 = 3 * e1 + 2 * s1, p2 = 3 * e2 - s2;
+  return q2 + (a0 * p0 + a1 * p1 + a2 * p2) / (6 * (a0 + a1 + a2));
 }
 
 /// Flux `velocity * q` through the face between the cells at `q[-stride]` and `q[0]`.
