@@ -4,9 +4,6 @@
 #include <utility>
 
 #include "solver/grid/cell_loop.hpp"
-#include "solver/solid/reference_map/extrapolation.hpp"
-#include "solver/solid/reference_map/transport.hpp"
-#include "solver/solid/reference_map/volume.hpp"
 
 namespace softwall::solid::reference_map {
 
@@ -23,6 +20,7 @@ ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid, grid::Halo& ha
     : grid_(grid),
       weights_(weights),
       halo_(halo),
+      speeds_(grid),
       now_(grid, 0),
       before_(grid, 0),
       volume_(grid, 1),
@@ -42,26 +40,35 @@ int ReferenceMap::lowest_row(const Material& m) {
 
 void ReferenceMap::transport(Material& m, const grid::VectorField& velocity, const Stage& stage, double dt,
                              int first_row) {
-  find_rates(m.displacement, velocity, grid_, weights_, first_row, now_);
-  relax_volume(m.phi, volume_, grid_, dt, first_row, now_);
-  update(m.displacement, stage, dt, first_row);
+  advance(m, velocity, stage, dt, first_row);
   extend_below_surface(m, first_row);
   make_consistent(m, first_row);
 }
 
-void ReferenceMap::update(grid::VectorField& d, const Stage& stage, double dt, int first_row) {
+/// A plane is updated as soon as no other one's rates read it: in one sweep, while it is in the cache.
+void ReferenceMap::advance(Material& m, const grid::VectorField& velocity, const Stage& stage, double dt,
+                           int first_row) {
+  speeds_.set(dt);
+  const VolumeRelaxation relaxation(speeds_, m.phi, volume_);
+  for (int k = 0; k < grid_.nz + kGhost; ++k) {
+    if (k < grid_.nz) find_rates(m.displacement, velocity, relaxation, grid_, weights_, {k, first_row}, now_);
+    if (k >= kGhost) update(m.displacement, stage, dt, {k - kGhost, first_row});
+  }
+  std::swap(now_, before_);
+}
+
+void ReferenceMap::update(grid::VectorField& d, const Stage& stage, double dt, const RowsOfAPlane& rows) {
   const Real by_now = Real(stage.beta * dt), by_before = Real(stage.gamma * dt);
   const auto step = [&](grid::Field& component, const grid::Field& now, const grid::Field& before, int j0) {
     const auto q = component.view();
     const auto r = now.view(), r_before = before.view();
-    grid::for_each_cell(grid::rows(grid_, j0, grid_.ny), [=](int i, int j, int k) {
+    grid::for_each_cell({0, grid_.nx, j0, grid_.ny, rows.k, rows.k + 1}, [=](int i, int j, int k) {
       q(i, j, k) += by_now * r(i, j, k) + by_before * r_before(i, j, k);
     });
   };
-  step(d.x, now_.x, before_.x, first_row);
-  step(d.y, now_.y, before_.y, std::max(first_row, 1));
-  step(d.z, now_.z, before_.z, first_row);
-  std::swap(now_, before_);
+  step(d.x, now_.x, before_.x, rows.j0);
+  step(d.y, now_.y, before_.y, std::max(rows.j0, 1));
+  step(d.z, now_.z, before_.z, rows.j0);
 }
 
 void ReferenceMap::extend_below_surface(Material& m, int first_row) {

@@ -6,6 +6,7 @@
 #include "solver/solid/reference_map/extrapolation.hpp"
 #include "solver/solid/reference_map/strain_sweep.hpp"
 #include "solver/solid/reference_map/surface.hpp"
+#include "solver/solid/reference_map/transport.hpp"
 
 /// The reference map (Kamrin, Rycroft & Nave, J. Mech. Phys. Solids 60, 2012; Rycroft, Wu, Yu & Kamrin, J.
 /// Fluid Mech. 898, 2020): instead of phi and B the solid carries where its material came from, x - d,
@@ -29,7 +30,9 @@ class ReferenceMap : public Formulation {
   [[nodiscard]] std::int64_t limited_cells() const override { return limited_cells_; }
 
  private:
-  void update(grid::VectorField& displacement, const Stage& stage, double dt, int first_row);
+  void advance(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
+               int first_row);
+  void update(grid::VectorField& displacement, const Stage& stage, double dt, const RowsOfAPlane& rows);
   void extend_below_surface(Material& material, int first_row);
   void fill_beyond_walls(grid::VectorField& displacement, int first_row) const;
   void find_strain(Material& material, int first_row);
@@ -37,8 +40,9 @@ class ReferenceMap : public Formulation {
   const Grid& grid_;
   WenoWeights weights_;
   grid::Halo& halo_;
-  grid::VectorField now_, before_;
-  grid::Field volume_;  ///< det A at centers
+  RelaxationSpeeds speeds_;
+  grid::VectorField now_, before_;  ///< r^{k-1}, r^{k-2}
+  grid::Field volume_;              ///< det A at centers
   StrainSweep strain_;
   Heights own_heights_, wide_heights_;
   Extrapolation extrapolation_;

@@ -36,10 +36,12 @@ template <WenoWeights kWeights>
                                      difference(2), difference(3), velocity);
 }
 
-/// The velocity where a component of the displacement lives.
+/// The velocity where a component of the displacement lives; own: what of it moves the component, less what
+/// the relaxation of volume takes away.
 struct Around {
   View<const Real> u, v, w;
   const Real* upper_share;
+  VolumeRelaxation out;
   template <class Q>
   Real across_y(int j, const Q& q) const {
     return upper_share[j] * q(j) + (1 - upper_share[j]) * q(j - 1);
@@ -53,7 +55,7 @@ struct OnXFace : Around {
   Real z(int i, int j, int k) const {
     return (w(i, j, k) + w(i - 1, j, k) + w(i, j, k + 1) + w(i - 1, j, k + 1)) / 4;
   }
-  Real own(int i, int j, int k) const { return x(i, j, k); }
+  Real own(int i, int j, int k) const { return x(i, j, k) - out.x(i, j, k); }
 };
 struct OnYFace : Around {
   Real x(int i, int j, int k) const {
@@ -63,7 +65,7 @@ struct OnYFace : Around {
   Real z(int i, int j, int k) const {
     return across_y(j, [=, this](int row) { return (w(i, row, k) + w(i, row, k + 1)) / 2; });
   }
-  Real own(int i, int j, int k) const { return y(i, j, k); }
+  Real own(int i, int j, int k) const { return y(i, j, k) - out.y(i, j, k); }
 };
 struct OnZFace : Around {
   Real x(int i, int j, int k) const {
@@ -73,16 +75,16 @@ struct OnZFace : Around {
     return (v(i, j, k) + v(i, j, k - 1) + v(i, j + 1, k) + v(i, j + 1, k - 1)) / 4;
   }
   Real z(int i, int j, int k) const { return w(i, j, k); }
-  Real own(int i, int j, int k) const { return z(i, j, k); }
+  Real own(int i, int j, int k) const { return z(i, j, k) - out.z(i, j, k); }
 };
 
 template <WenoWeights kWeights, class PointVelocity>
 void rate_of(const grid::Field& component, const PointVelocity& velocity, const Grid& g,
-             const Real* inv_below, int j0, grid::Field& rate) {
+             const Real* inv_below, const RowsOfAPlane& rows, grid::Field& rate) {
   const auto d = component.view();
   const auto out = rate.view();
   const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz);
-  grid::for_each_cell(grid::rows(g, j0, g.ny), [=](int i, int j, int k) {
+  grid::for_each_cell({0, g.nx, rows.j0, g.ny, rows.k, rows.k + 1}, [=](int i, int j, int k) {
     const Real* const q = &d(i, j, k);
     const Real a = velocity.x(i, j, k), b = velocity.y(i, j, k), c = velocity.z(i, j, k);
     out(i, j, k) = velocity.own(i, j, k) - a * along<kWeights>(q, 1, inv_dx, a) -
@@ -92,23 +94,25 @@ void rate_of(const grid::Field& component, const PointVelocity& velocity, const 
 }
 
 template <WenoWeights kWeights>
-void rates(const grid::VectorField& d, const grid::VectorField& velocity, const Grid& g, int first_row,
+void rates(const grid::VectorField& d, const Around& around, const Grid& g, const RowsOfAPlane& rows,
            grid::VectorField& rate) {
-  const Around around{velocity.x.view(), velocity.y.view(), velocity.z.view(), g.upper_share.data()};
   const Real *between_centers = g.inv_dy_face.data(), *between_faces = g.inv_dy.data() - 1;
-  rate_of<kWeights>(d.x, OnXFace{around}, g, between_centers, first_row, rate.x);
-  rate_of<kWeights>(d.y, OnYFace{around}, g, between_faces, std::max(first_row, 1), rate.y);
-  rate_of<kWeights>(d.z, OnZFace{around}, g, between_centers, first_row, rate.z);
+  rate_of<kWeights>(d.x, OnXFace{around}, g, between_centers, rows, rate.x);
+  rate_of<kWeights>(d.y, OnYFace{around}, g, between_faces, {rows.k, std::max(rows.j0, 1)}, rate.y);
+  rate_of<kWeights>(d.z, OnZFace{around}, g, between_centers, rows, rate.z);
 }
 
 }  // namespace
 
-void find_rates(const grid::VectorField& displacement, const grid::VectorField& velocity, const Grid& grid,
-                WenoWeights weights, int first_row, grid::VectorField& rate) {
+void find_rates(const grid::VectorField& displacement, const grid::VectorField& velocity,
+                const VolumeRelaxation& relaxation, const Grid& grid, WenoWeights weights,
+                const RowsOfAPlane& rows, grid::VectorField& rate) {
+  const Around around{velocity.x.view(), velocity.y.view(), velocity.z.view(), grid.upper_share.data(),
+                      relaxation};
   if (weights == WenoWeights::kJiangShu) {
-    rates<WenoWeights::kJiangShu>(displacement, velocity, grid, first_row, rate);
+    rates<WenoWeights::kJiangShu>(displacement, around, grid, rows, rate);
   } else {
-    rates<WenoWeights::kZ>(displacement, velocity, grid, first_row, rate);
+    rates<WenoWeights::kZ>(displacement, around, grid, rows, rate);
   }
 }
 
