@@ -16,13 +16,8 @@ Projection::Projection(const Grid& grid, const parallel::Decomposition& decompos
       halo_(halo),
       profile_(profile),
       poisson_(grid, decomposition, profile),
-      psi_(grid, 1, grid::Memory::kWhole) {}
-
-void Projection::project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, double dt) {
-  const double duration = 2 * stage.alpha * dt;
-  find_psi(velocity, duration);
-  correct(velocity, pressure, duration);
-}
+      psi_(grid, 1, grid::Memory::kWhole),
+      row_sums_(static_cast<std::size_t>(grid.ny)) {}
 
 /// The divergence of a cell needs the velocity on its high faces; the wall-normal one is whole on every rank.
 void Projection::find_psi(grid::VectorField& velocity, double duration) {
@@ -36,10 +31,13 @@ void Projection::find_psi(grid::VectorField& velocity, double duration) {
   const Real* const inv_dy = g.inv_dy.data();
   const auto psi = psi_.view();
   const int nx = g.nx;
+  std::fill(row_sums_.begin(), row_sums_.end(), 0.0);
+  double* const sums = row_sums_.data();
   const auto give_divergence = [=](int j, int k, Real* row) {
 #pragma omp simd
     for (int i = 0; i < nx; ++i)
       row[i] = inv_duration * divergence(u, v, w, inv_dx, inv_dy[j], inv_dz, i, j, k);
+    sums[j] += grid::sum_cells({0, nx, j, j + 1, k, k + 1}, u);
   };
   const auto take_psi = [=](int j, int k, const Real* row) { std::copy(row, row + nx, &psi(0, j, k)); };
   poisson_.solve(std::cref(give_divergence), std::cref(take_psi));  // by reference: no copy, no allocation
@@ -49,19 +47,19 @@ void Projection::find_psi(grid::VectorField& velocity, double duration) {
 
 /// One sweep. Gradients look to lower cells only, and so does the next predictor's of the pressure: its ghost
 /// cells there are renewed with what its neighbour adds, all others are left alone.
-void Projection::correct(grid::VectorField& velocity, grid::Field& pressure, double duration) {
+void Projection::correct(grid::VectorField& velocity, grid::Field& pressure, double duration, double push) {
   const parallel::Profile::Scope scope(profile_, parallel::Phase::kCorrection);
   const auto& g = grid_;
   const auto u = velocity.x.view(), v = velocity.y.view(), w = velocity.z.view(), p = pressure.view();
   const auto psi = std::as_const(psi_).view();
-  const Real by_x = Real(duration / g.dx), by_z = Real(duration / g.dz);
+  const Real by_x = Real(duration / g.dx), by_z = Real(duration / g.dz), more = Real(push);
   for (int k = 0; k < g.nz; ++k) {
     for (int j = 0; j < g.ny; ++j) {
       const Real by_y = j > 0 ? Real(duration * g.inv_dy_face[j]) : 0;  // row 0 of v lies on the wall
       p(-1, j, k) += psi(-1, j, k);
 #pragma omp simd
       for (int i = 0; i < g.nx; ++i) {
-        u(i, j, k) -= by_x * (psi(i, j, k) - psi(i - 1, j, k));
+        u(i, j, k) += more - by_x * (psi(i, j, k) - psi(i - 1, j, k));
         v(i, j, k) -= by_y * (psi(i, j, k) - psi(i, j - 1, k));
         w(i, j, k) -= by_z * (psi(i, j, k) - psi(i, j, k - 1));
         p(i, j, k) += psi(i, j, k);

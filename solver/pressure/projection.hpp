@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "solver/grid/halo.hpp"
 #include "solver/grid/stage.hpp"
 #include "solver/pressure/poisson.hpp"
@@ -16,17 +19,29 @@ class Projection {
   /// On entry the wall-normal velocity stands on the walls (rows 0 and ny), no other ghost cell matters. On
   /// return the interior is divergence-free; the velocity's ghost cells are stale, those of the pressure that
   /// gradients read (low x, low z) right if they were so before.
-  void project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, double dt);
+  void project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, double dt) {
+    const double duration = 2 * stage.alpha * dt;
+    find_psi(velocity, duration);
+    correct(velocity, pressure, duration, 0);
+  }
+
+  /// The same in two steps, duration = 2 alpha dt: between them can be found what a uniform force has to add
+  /// to u, `push` in U_b, which the correction adds in the same sweep.
+  void find_psi(grid::VectorField& velocity, double duration);
+  void correct(grid::VectorField& velocity, grid::Field& pressure, double duration, double push);
+
+  /// psi of the last find_psi(), ghost cells at low x and low z filled.
+  [[nodiscard]] const grid::Field& psi() const { return psi_; }
+  /// Sums of its u* over this rank's cells of each row.
+  [[nodiscard]] std::span<const double> row_sums() const { return row_sums_; }
 
  private:
-  void find_psi(grid::VectorField& velocity, double duration);
-  void correct(grid::VectorField& velocity, grid::Field& pressure, double duration);
-
   const Grid& grid_;
   grid::Halo& halo_;
   parallel::Profile* profile_;
   Poisson poisson_;
   grid::Field psi_;
+  std::vector<double> row_sums_;
 };
 
 /// Divergence at the center of cell (i, j, k).

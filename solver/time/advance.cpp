@@ -42,6 +42,21 @@ void advance_closed_box(State& s, Setup& setup, double dt) {
   }
 }
 
+/// u, p (9)-(12); returns what was added to hold the flow rate.
+double project_and_drive(State& s, Setup& setup, const Stage& stage, double dt) {
+  auto& projection = *setup.projection;
+  const double duration = 2 * stage.alpha * dt;
+  projection.find_psi(s.velocity, duration);
+  double push = 0;
+  if (setup.bulk_velocity) {
+    const parallel::Profile::Scope scope(&setup.profile, Phase::kCorrection);
+    push = fluid::missing_flow({s.velocity.x, projection.psi(), duration, projection.row_sums()},
+                               solid_input(s, setup), *setup.bulk_velocity, setup.grid, setup.decomposition);
+  }
+  projection.correct(s.velocity, s.pressure, duration, push);
+  return push;
+}
+
 /// The substeps of a channel; returns the sum of what drives it. Equation numbers refer to solver/README.md.
 double advance_channel(State& s, Setup& setup, double dt) {
   auto& profile = setup.profile;
@@ -53,13 +68,7 @@ double advance_channel(State& s, Setup& setup, double dt) {
     profile.time(Phase::kMomentum, [&] {  // u* (8)
       setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);
     });
-    setup.projection->project(s.velocity, s.pressure, stage, dt);  // u, p (9)-(11)
-    profile.time(Phase::kCorrection, [&] {                         // flow rate (12)
-      if (setup.bulk_velocity) {
-        driven += fluid::hold_flow_rate(s.velocity, solid_input(s, setup), *setup.bulk_velocity, setup.grid,
-                                        setup.decomposition);
-      }
-    });
+    driven += project_and_drive(s, setup, stage, dt);
     profile.time(Phase::kHalo, [&] { fluid::fill_ghosts(s.velocity, setup.walls, setup.halo); });
   }
   return driven;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/pressure/projection.hpp"
 #include "tests/support/fields.hpp"
 
 namespace softwall::fluid {
@@ -63,6 +64,29 @@ TEST_P(Forcing, AddsTheSameToEveryCellAndNothingElse) {
         ASSERT_EQ(velocity.z(i, j, k), before.z(i, j, k));
       }
     }
+  }
+}
+
+/// Found before a projection, it is what is missing after it, with solid and without.
+TEST_P(Forcing, IsKnownBeforeTheProjection) {
+  const int first_row = 5;
+  support::set_by_index(phi, d.grid, d.grid.ny, [=](int i, int j, int k) {
+    return j < first_row ? 0.0 : (1 + support::noise(8, i, j, k)) / 2;
+  });
+  d.halo.fill({&phi});
+  const grid::VectorField force(d.grid, 0);
+  const double duration = 0.02;
+  for (const SolidInput& solid : {SolidInput{}, SolidInput{&phi, &force, first_row, 1}}) {
+    auto velocity = support::random_velocity(d, 3);
+    grid::Field pressure(d.grid, 1);
+    pressure::Projection projection(d.grid, d.decomposition, d.halo);
+    projection.find_psi(velocity, duration);
+    const double push = missing_flow({velocity.x, projection.psi(), duration, projection.row_sums()}, solid,
+                                     1.0, d.grid, d.decomposition);
+    EXPECT_GT(std::abs(push), 0.1);
+    projection.correct(velocity, pressure, duration, push);
+    grid::Field none(d.grid, 3);
+    EXPECT_NEAR(bulk_velocity(d, velocity, solid.fraction ? phi : none), 1, 1e-14);
   }
 }
 
