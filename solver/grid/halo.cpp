@@ -76,6 +76,27 @@ void wrap(Side side, Field& f, RowSpan rows) {
   }
 }
 
+/// Both sides in x at once: the ghost cells at the end of a row and those before the next share a line of the
+/// cache (field.cpp).
+void wrap_in_x(Field& f, RowSpan rows) {
+  if (f.ghost() > f.nx()) {
+    wrap(Side::kLowX, f, rows);
+    wrap(Side::kHighX, f, rows);
+    return;
+  }
+  const auto cell = f.view();
+  const int nx = f.nx(), ghost = f.ghost();
+  for (int k = 0; k < f.nz(); ++k) {
+    for (int j = rows.j0; j < rows.j1; ++j) {
+      Real* const row = &cell(0, j, k);
+      for (int g = 0; g < ghost; ++g) {
+        row[nx + g] = row[g];
+        row[-1 - g] = row[nx - 1 - g];
+      }
+    }
+  }
+}
+
 /// The ghost columns beyond a wall become copies of the column at it.
 void repeat_column(Side side, Field& f, RowSpan rows) {
   const auto cell = f.view();
@@ -135,8 +156,13 @@ void Halo::exchange(Side side, std::initializer_list<Field*> fields, RowSpan row
 }
 
 void Halo::fill(std::initializer_list<Field*> fields, RowSpan rows) {
-  for (const Side side : {Side::kLowX, Side::kHighX, Side::kLowZ, Side::kHighZ})
-    fill_side(side, fields, rows);
+  if (wraps_in_x()) {
+    const parallel::Profile::Scope scope(profile_, parallel::Phase::kHalo);
+    for (Field* f : fields) wrap_in_x(*f, rows);
+  } else {
+    for (const Side side : {Side::kLowX, Side::kHighX}) fill_side(side, fields, rows);
+  }
+  for (const Side side : {Side::kLowZ, Side::kHighZ}) fill_side(side, fields, rows);
 }
 
 void Halo::fill(std::initializer_list<Field*> fields) {

@@ -36,6 +36,10 @@ class Halo {
   /// x, too): half a message, for stencils that look one way.
   void fill_side(Side side, std::initializer_list<Field*> fields, RowSpan rows);
 
+  /// True where x is periodic and whole on every rank: a ghost cell in x is then a copy from its own row,
+  /// which a sweep that has the row in the cache can make itself.
+  [[nodiscard]] bool wraps_in_x() const { return !walls_in_x_ && decomposition_.x_line().size() == 1; }
+
  private:
   void exchange(Side side, std::initializer_list<Field*> fields, RowSpan rows);
   [[nodiscard]] bool at_wall(Side side) const;

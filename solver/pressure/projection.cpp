@@ -23,10 +23,12 @@ Projection::Projection(const Grid& grid, const parallel::Decomposition& decompos
 void Projection::find_psi(grid::VectorField& velocity, double duration) {
   const parallel::Profile::Scope scope(profile_, parallel::Phase::kPoisson);
   const auto& g = grid_;
-  halo_.fill_side(grid::Side::kHighX, {&velocity.x}, {0, g.ny});
+  const bool wraps = halo_.wraps_in_x();  // then ghost cells in x are copied when their row is in the cache
+  if (!wraps) halo_.fill_side(grid::Side::kHighX, {&velocity.x}, {0, g.ny});
   halo_.fill_side(grid::Side::kHighZ, {&velocity.z}, {0, g.ny});
   const auto& c = std::as_const(velocity);
   const auto u = c.x.view(), v = c.y.view(), w = c.z.view();
+  const auto own_u = velocity.x.view();
   const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz), inv_duration = Real(1 / duration);
   const Real* const inv_dy = g.inv_dy.data();
   const auto psi = psi_.view();
@@ -34,14 +36,18 @@ void Projection::find_psi(grid::VectorField& velocity, double duration) {
   std::fill(row_sums_.begin(), row_sums_.end(), 0.0);
   double* const sums = row_sums_.data();
   const auto give_divergence = [=](int j, int k, Real* row) {
+    if (wraps) own_u(nx, j, k) = own_u(0, j, k);
 #pragma omp simd
     for (int i = 0; i < nx; ++i)
       row[i] = inv_duration * divergence(u, v, w, inv_dx, inv_dy[j], inv_dz, i, j, k);
     sums[j] += grid::sum_cells({0, nx, j, j + 1, k, k + 1}, u);
   };
-  const auto take_psi = [=](int j, int k, const Real* row) { std::copy(row, row + nx, &psi(0, j, k)); };
+  const auto take_psi = [=](int j, int k, const Real* row) {
+    std::copy(row, row + nx, &psi(0, j, k));
+    if (wraps) psi(-1, j, k) = row[nx - 1];
+  };
   poisson_.solve(std::cref(give_divergence), std::cref(take_psi));  // by reference: no copy, no allocation
-  halo_.fill_side(grid::Side::kLowX, {&psi_}, {0, g.ny});
+  if (!wraps) halo_.fill_side(grid::Side::kLowX, {&psi_}, {0, g.ny});
   halo_.fill_side(grid::Side::kLowZ, {&psi_}, {0, g.ny});
 }
 
