@@ -113,20 +113,24 @@ void ReferenceMap::fill_beyond_walls(grid::VectorField& d, int first_row) const 
 
 void ReferenceMap::find_strain(Material& m, int first_row) {
   const Grid& g = grid_;
-  const auto phi = m.phi.view(), volume = volume_.view();
-  strain_.run(strain_of(m.displacement, g), first_row,
-              {m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(), m.B.yz.view(),
-               volume_.view()});
-  limited_cells_ +=
-      static_cast<std::int64_t>(grid::sum_cells(grid::rows(g, first_row, g.ny), [=](int i, int j, int k) {
-        return phi(i, j, k) > 0 && volume(i, j, k) < kLeastVolume ? 1.0 : 0.0;
-      }));
+  const Real least_volume = strain_.run(strain_of(m.displacement, g), first_row,
+                                        {m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(),
+                                         m.B.xz.view(), m.B.yz.view(), volume_.view()});
+  if (least_volume < kLeastVolume) limited_cells_ += count_torn_cells(m.phi, first_row);
+  const auto phi = m.phi.view();
   const auto around = [&](int j) { return grid::Box{-1, g.nx + 1, j, j + 1, -1, g.nz + 1}; };
   const int top = g.ny - 1;
   grid::for_each_cell(around(g.ny), [=](int i, int j, int k) { phi(i, j, k) = phi(i, top, k); });
   if (first_row == 0) {
     grid::for_each_cell(around(-1), [=](int i, int j, int k) { phi(i, j, k) = phi(i, 0, k); });
   }
+}
+
+std::int64_t ReferenceMap::count_torn_cells(const grid::Field& fraction, int first_row) const {
+  const auto phi = fraction.view(), volume = volume_.view();
+  return static_cast<std::int64_t>(grid::sum_cells(
+      grid::rows(grid_, first_row, grid_.ny),
+      [=](int i, int j, int k) { return phi(i, j, k) > 0 && volume(i, j, k) < kLeastVolume ? 1.0 : 0.0; }));
 }
 
 }  // namespace softwall::solid::reference_map

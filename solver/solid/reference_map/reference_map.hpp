@@ -36,6 +36,7 @@ class ReferenceMap : public Formulation {
   void extend_below_surface(Material& material, int first_row);
   void fill_beyond_walls(grid::VectorField& displacement, int first_row) const;
   void find_strain(Material& material, int first_row);
+  [[nodiscard]] std::int64_t count_torn_cells(const grid::Field& phi, int first_row) const;
 
   const Grid& grid_;
   WenoWeights weights_;

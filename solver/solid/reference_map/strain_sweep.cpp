@@ -13,6 +13,13 @@ template <class Kernel>
   for (int i = -1; i <= nx; ++i) kernel(i);
 }
 
+/// The smallest of a row's values and of what was the smallest before.
+Real least_of(const Real* row, int n, Real least) {
+#pragma omp simd reduction(min : least)
+  for (int i = 0; i < n; ++i) least = row[i] < least ? row[i] : least;
+  return least;
+}
+
 /// Element 0 of a row is that of column 0.
 template <class Row>
 auto first(Row& row) {
@@ -35,7 +42,8 @@ StrainSweep::StrainSweep(const Grid& g) : nx_(g.nx), ny_(g.ny), nz_(g.nz) {
   }
 }
 
-void StrainSweep::run(const Strain& strain, int first_row, const StrainFields& to) {
+Real StrainSweep::run(const Strain& strain, int first_row, const StrainFields& to) {
+  Real least = 1;
   for (int k = -1; k <= nz_; ++k) {
     average(below_, strain, first_row - 1, k);
     average(low_, strain, first_row, k);
@@ -47,10 +55,12 @@ void StrainSweep::run(const Strain& strain, int first_row, const StrainFields& t
       if (j == ny_) break;
       average(high_, strain, j + 1, k);
       centers(strain, j, k, to);
+      least = least_of(&to.determinant(0, j, k), nx_, least);
       edges_xz(strain, j, k, to.xz);
       std::swap(low_, high_);
     }
   }
+  return least;
 }
 
 void StrainSweep::average(CellRow& row, const Strain& s, int j, int k) const {

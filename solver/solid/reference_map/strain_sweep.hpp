@@ -22,8 +22,9 @@ class StrainSweep {
  public:
   explicit StrainSweep(const Grid& grid);
 
-  /// Rows first_row <= j < ny, xy and yz edges on the upper wall, too; one column more on every side.
-  void run(const Strain& strain, int first_row, const StrainFields& to);
+  /// Rows first_row <= j < ny, xy and yz edges on the upper wall, too; one column more on every side. Returns
+  /// the smallest det A in this rank's columns, or 1 if all are larger.
+  Real run(const Strain& strain, int first_row, const StrainFields& to);
 
  private:
   /// Number i of this rank's cells at [i + 1]: loops begin at the ghost column -1.
