@@ -10,9 +10,10 @@ struct SolidInput {
   const grid::VectorField* force = nullptr;  ///< f^k + f^{k-1} on the faces
   int first_row = 0;                         ///< phi and forces vanish below this row
   double viscosity_ratio = 1;
-  /// What the solid's viscosity adds to the fluid's viscous force at moment k-1, over mu_f; absent when the
-  /// viscosities are equal.
+  /// What the fluid's viscous force lacks at moment k-1, over mu_f; absent when nothing does.
   const grid::VectorField* excess_viscous = nullptr;
+  /// How many times the fluid's viscosity counts at an edge on the interface (solid/interface_share.hpp).
+  double interface_viscosity = 1;
 };
 
 }  // namespace softwall

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/grid/cell_loop.hpp"
+#include "solver/solid/interface_share.hpp"
 #include "solver/solid/material.hpp"
 
 /// Force of the neo-Hookean stress on the faces, f_i = d/dx_j [ phi G (B_ij - delta_ij) ], paper
@@ -11,7 +12,7 @@ namespace softwall::solid {
 
 /// sum = force(now) + previous; then previous = force(now). Rows from first_row on; elsewhere both stay as
 /// they are. `material` needs its ghost cells.
-void renew_elastic_force(const Material& material, double G, const Grid& grid, int first_row,
-                         grid::VectorField& previous, grid::VectorField& sum);
+void renew_elastic_force(const Material& material, double G, const InterfaceShare& share, const Grid& grid,
+                         int first_row, grid::VectorField& previous, grid::VectorField& sum);
 
 }  // namespace softwall::solid

@@ -12,31 +12,42 @@ namespace softwall::solid {
 
 namespace {
 
-/// phi (mu_s / mu_f - 1) 2 D^s where its components live.
+/// What the fluid's viscous stress lacks, where its components live.
 struct Stress {
   Fraction phi;
   View<const Real> u, v, w;
   View<const Real> shear_xy, shear_yz;  ///< du/dy and dw/dy of the solid
-  const Real* inv_dy;
-  Real inv_dx, inv_dz, excess;
+  const Real *inv_dy, *inv_dy_face;
+  Real inv_dx, inv_dz, ratio;
+  InterfaceShare share;
+  Real excess() const { return ratio - 1; }
+  /// What mu_f g lacks at an edge: (1 - s) g_f + s mu_s / mu_f g_s - g. `mixed`: d/dy across the edge,
+  /// `solid`: of the solid, `along`: the other part of the shear, which both have.
+  Real lacking(Real fraction, Real mixed, Real solid, Real along) const {
+    const Real fluid = share.fluid(fraction);
+    return (fluid - 1) * (mixed + along) +
+           (ratio * share.solid(fraction) - fluid * fraction) * (solid + along);
+  }
   Real xx(int i, int j, int k) const {
-    return 2 * excess * phi.center(i, j, k) * (u(i + 1, j, k) - u(i, j, k)) * inv_dx;
+    return 2 * excess() * phi.center(i, j, k) * (u(i + 1, j, k) - u(i, j, k)) * inv_dx;
   }
   Real yy(int i, int j, int k) const {
-    return 2 * excess * phi.center(i, j, k) * (v(i, j + 1, k) - v(i, j, k)) * inv_dy[j];
+    return 2 * excess() * phi.center(i, j, k) * (v(i, j + 1, k) - v(i, j, k)) * inv_dy[j];
   }
   Real zz(int i, int j, int k) const {
-    return 2 * excess * phi.center(i, j, k) * (w(i, j, k + 1) - w(i, j, k)) * inv_dz;
+    return 2 * excess() * phi.center(i, j, k) * (w(i, j, k + 1) - w(i, j, k)) * inv_dz;
   }
   Real xy(int i, int j, int k) const {
-    return excess * phi.edge_xy(i, j, k) * (shear_xy(i, j, k) + (v(i, j, k) - v(i - 1, j, k)) * inv_dx);
+    return lacking(phi.edge_xy(i, j, k), (u(i, j, k) - u(i, j - 1, k)) * inv_dy_face[j], shear_xy(i, j, k),
+                   (v(i, j, k) - v(i - 1, j, k)) * inv_dx);
   }
   Real xz(int i, int j, int k) const {
-    return excess * phi.edge_xz(i, j, k) *
+    return excess() * phi.edge_xz(i, j, k) *
            ((u(i, j, k) - u(i, j, k - 1)) * inv_dz + (w(i, j, k) - w(i - 1, j, k)) * inv_dx);
   }
   Real yz(int i, int j, int k) const {
-    return excess * phi.edge_yz(i, j, k) * (shear_yz(i, j, k) + (v(i, j, k) - v(i, j, k - 1)) * inv_dz);
+    return lacking(phi.edge_yz(i, j, k), (w(i, j, k) - w(i, j - 1, k)) * inv_dy_face[j], shear_yz(i, j, k),
+                   (v(i, j, k) - v(i, j, k - 1)) * inv_dz);
   }
 };
 
@@ -63,9 +74,19 @@ void find_shear_xy(const Fraction& phi, const grid::VectorField& velocity, Real 
 Fraction fraction_of(const Material& m, const Grid& g) { return {m.phi.view(), g.upper_share.data()}; }
 
 Stress stress_of(const Material& m, const grid::VectorField& velocity, const grid::Field& shear_xy,
-                 const grid::Field& shear_yz, Real excess, const Grid& g) {
-  return {fraction_of(m, g), velocity.x.view(), velocity.y.view(), velocity.z.view(), shear_xy.view(),
-          shear_yz.view(),   g.inv_dy.data(),   Real(1 / g.dx),    Real(1 / g.dz),    excess};
+                 const grid::Field& shear_yz, Real ratio, const InterfaceShare& share, const Grid& g) {
+  return {fraction_of(m, g),
+          velocity.x.view(),
+          velocity.y.view(),
+          velocity.z.view(),
+          shear_xy.view(),
+          shear_yz.view(),
+          g.inv_dy.data(),
+          g.inv_dy_face.data(),
+          Real(1 / g.dx),
+          Real(1 / g.dz),
+          ratio,
+          share};
 }
 
 template <class Component>
@@ -76,9 +97,10 @@ void assign(const grid::Box& box, const Component& component, grid::Field& field
 
 }  // namespace
 
-ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const Grid& grid)
-    : excess_(Real(ratio - 1)),
+ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const InterfaceShare& share, const Grid& grid)
+    : ratio_(Real(ratio)),
       solid_from_(solid_from),
+      share_(share),
       grid_(grid),
       shear_xy_(grid, 1),
       shear_yz_(grid, 1),
@@ -90,7 +112,7 @@ void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity
   const auto on_yz = [=](int i, int j, int k) { return phi.edge_yz(i, j, k); };
   find_shear_xy(phi, velocity, solid_from_, g, first_row, shear_xy_);
   find_shear(velocity.z, on_yz, solid_from_, g, first_row, shear_yz_);
-  const StressDivergence force(stress_of(m, velocity, shear_xy_, shear_yz_, excess_, g), g);
+  const StressDivergence force(stress_of(m, velocity, shear_xy_, shear_yz_, ratio_, share_, g), g);
   const auto centers = grid::rows(g, first_row, g.ny), faces = grid::rows(g, std::max(first_row, 1), g.ny);
   assign(
       centers, [=](int i, int j, int k) { return force.x(i, j, k); }, force_.x);
@@ -105,7 +127,7 @@ std::vector<double> ExcessViscosity::shear_stress_sums(const Material& m, const 
   const auto& g = grid_;
   grid::Field shear(g, 1);
   find_shear_xy(fraction_of(m, g), velocity, solid_from_, g, first_row, shear);
-  const Stress stress = stress_of(m, velocity, shear, shear, excess_, g);
+  const Stress stress = stress_of(m, velocity, shear, shear, ratio_, share_, g);
   std::vector<double> sums(static_cast<std::size_t>(g.ny) + 1);
   for (int j = first_row; j <= g.ny; ++j) {
     sums[static_cast<std::size_t>(j)] =

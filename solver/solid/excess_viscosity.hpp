@@ -2,18 +2,17 @@
 
 #include <vector>
 
+#include "solver/solid/interface_share.hpp"
 #include "solver/solid/material.hpp"
 
-/// The viscous stress of the solid beyond that of the fluid. The momentum equation counts the fluid's
-/// viscosity everywhere (fluid/momentum.hpp); where the solid's differs (paper eq:stress-s), this is what is
-/// missing:
-///   tau_ij = mu_f 2 D_ij + phi [ G B_ij + (mu_s - mu_f) 2 D^s_ij ],
-/// D^s the strain rate of the solid itself. At an edge that the interface cuts, the difference of the
-/// velocity across it is that of fluid and solid together, g = (1 - phi) g_f + phi g_s, and since both feel
-/// one stress,
-///   mu_f g + phi [ G B + (mu_s - mu_f) g_s ] = (1 - phi) mu_f g_f + phi (mu_s g_s + G B) = tau:
-/// exact, if g_s is the solid's, and wrong by the ratio of the viscosities if the mean shear g stands in for
-/// it (the mean viscosity (1 - phi) mu_f + phi mu_s times g is just that).
+/// The viscous stress beyond that of the fluid. The momentum equation counts mu_f times the difference g of
+/// the velocity everywhere (fluid/momentum.hpp). In the solid (paper eq:stress-s) this lacks
+///   phi (mu_s - mu_f) 2 D^s_ij,
+/// D^s the strain rate of the solid itself. At an edge that the interface cuts, g is that of fluid and solid
+/// together, g = (1 - phi) g_f + phi g_s, and the stress there, shared as interface_share.hpp says, lacks
+///   (1 - s) mu_f g_f + s mu_s g_s - mu_f g,   g_f = (g - phi g_s) / (1 - phi)
+/// (with s = phi: phi (mu_s - mu_f) g_s). The mean viscosity times g would be wrong by the ratio of the
+/// viscosities.
 ///
 /// Across an interface that is nearly flat only du/dy and dw/dy jump: the velocity is continuous, hence all
 /// its derivatives along the interface, and, without divergence, dv/dy. So g_s is du/dy (dw/dy) of the edge
@@ -28,12 +27,12 @@ class ExcessViscosity {
  public:
   /// `ratio`: mu_s / mu_f. `solid_from`: an edge lies in the solid where phi, averaged to it, is at least
   /// this, and so it is all the way up the column; 0: every edge, so that its own shear counts (a body that
-  /// is not the top of its columns).
-  ExcessViscosity(double ratio, Real solid_from, const Grid& grid);
+  /// is not the top of its columns). `share`: of the shear stress of an edge on the interface.
+  ExcessViscosity(double ratio, Real solid_from, const InterfaceShare& share, const Grid& grid);
 
   /// Finds the force, in rows from first_row on. Ghost cells of phi and of the velocity must be filled.
   void renew(const Material& material, const grid::VectorField& velocity, int first_row);
-  /// d/dx_j [ phi (mu_s / mu_f - 1) 2 D^s_ij ] on the faces.
+  /// Force of what the fluid's stress lacks, on the faces.
   [[nodiscard]] const grid::VectorField& force() const { return force_; }
 
   /// Sum over this rank's columns of the shear stress on xy edges, for each row 0 .. ny: the fluxes of which
@@ -42,8 +41,9 @@ class ExcessViscosity {
                                                       const grid::VectorField& velocity, int first_row) const;
 
  private:
-  Real excess_;  ///< mu_s / mu_f - 1
+  Real ratio_;  ///< mu_s / mu_f
   Real solid_from_;
+  InterfaceShare share_;
   const Grid& grid_;
   grid::Field shear_xy_, shear_yz_;  ///< du/dy and dw/dy of the solid on edges
   grid::VectorField force_;

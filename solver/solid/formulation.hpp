@@ -4,6 +4,7 @@
 
 #include "solver/grid/field.hpp"
 #include "solver/grid/stage.hpp"
+#include "solver/solid/interface_share.hpp"
 #include "solver/solid/material.hpp"
 
 /// What the two formulations of the solid have to offer to solid.hpp, the border behind which they stand:
@@ -33,6 +34,8 @@ class Formulation {
   /// An edge where phi is at least this lies in the solid: its own shear is the solid's
   /// (excess_viscosity.hpp).
   [[nodiscard]] virtual Real solid_from() const = 0;
+  /// Whose stress an edge on the interface bears.
+  [[nodiscard]] virtual InterfaceShare interface_share() const = 0;
 
   /// Cells in which B was changed to keep it positive definite, on this rank, summed over substeps.
   [[nodiscard]] virtual std::int64_t limited_cells() const = 0;

@@ -36,8 +36,9 @@ Solid::Solid(const SolidSpec& spec, const Grid& grid, const parallel::Decomposit
       formulation_(formulation_of(spec, grid, decomposition, halo)),
       force_before_(grid, 0),
       force_sum_(grid, 0) {
-  if (spec.viscosity_ratio != 1)
-    excess_viscosity_.emplace(spec.viscosity_ratio, formulation_->solid_from(), grid);
+  const InterfaceShare share = formulation_->interface_share();
+  if (spec.viscosity_ratio != 1 || share.fluid_alone > 0)
+    excess_viscosity_.emplace(spec.viscosity_ratio, formulation_->solid_from(), share, grid);
 }
 
 void Solid::start(Material& material) {
@@ -59,7 +60,7 @@ int Solid::find_first_row(const Material& material) const {
 }
 
 void Solid::renew_force(const Material& material) {
-  renew_elastic_force(material, spec_.G, grid_, first_row_, force_before_, force_sum_);
+  renew_elastic_force(material, spec_.G, interface_share(), grid_, first_row_, force_before_, force_sum_);
 }
 
 void Solid::transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt) {
@@ -70,7 +71,7 @@ void Solid::transport(Material& material, const grid::VectorField& velocity, con
 
 SolidInput Solid::input(const Material& material) const {
   const auto* excess = excess_viscosity_ ? &excess_viscosity_->force() : nullptr;
-  return {&material.phi, &force_sum_, first_row_, spec_.viscosity_ratio, excess};
+  return {&material.phi, &force_sum_, first_row_, spec_.viscosity_ratio, excess, interface_share().fluid(1)};
 }
 
 std::vector<double> Solid::excess_shear_sums(const Material& material,

@@ -50,6 +50,7 @@ class Solid {
   /// start of the program.
   [[nodiscard]] std::int64_t limited_cells() const { return formulation_->limited_cells(); }
   [[nodiscard]] int first_row() const { return first_row_; }
+  [[nodiscard]] InterfaceShare interface_share() const { return formulation_->interface_share(); }
 
  private:
   void renew_force(const Material& material);
@@ -59,7 +60,7 @@ class Solid {
   const Grid& grid_;
   const parallel::Decomposition& decomposition_;
   std::unique_ptr<Formulation> formulation_;
-  std::optional<ExcessViscosity> excess_viscosity_;  ///< where the viscosities differ
+  std::optional<ExcessViscosity> excess_viscosity_;  ///< where the fluid's stress alone is not the whole
   grid::VectorField force_before_, force_sum_;
   int first_row_ = 0;
 };

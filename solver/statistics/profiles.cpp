@@ -95,12 +95,13 @@ void add_solid_center_line(const time::State& s, double G, int nx, int j, int k,
   sums(kElasticZz, j) += G * stress_z;
 }
 
-void add_solid_face_line(const time::State& s, const Grid& g, double G, int j, int k, PlaneMeans& sums) {
+void add_solid_face_line(const time::State& s, const Grid& g, double G, const solid::InterfaceShare& share,
+                         int j, int k, PlaneMeans& sums) {
   const solid::Fraction phi{s.material.phi.view(), g.upper_share.data()};
   const auto xy = s.material.B.xy.view();
   double stress = 0;
 #pragma omp simd reduction(+ : stress)
-  for (int i = 0; i < g.nx; ++i) stress += phi.edge_xy(i, j, k) * xy(i, j, k);
+  for (int i = 0; i < g.nx; ++i) stress += share.solid(phi.edge_xy(i, j, k)) * xy(i, j, k);
   sums(kElasticStress, j) += G * stress;
 }
 
@@ -124,7 +125,7 @@ PlaneMeans local_sums(const time::State& s, const time::Setup& setup) {
       add_face_line(m, g.nx, j, k, sums);
       if (j < solid_row) continue;
       if (j < g.ny) add_solid_center_line(s, G, g.nx, j, k, sums);
-      add_solid_face_line(s, g, G, j, k, sums);
+      add_solid_face_line(s, g, G, setup.solid->interface_share(), j, k, sums);
     }
   }
   if (s.elastic) {

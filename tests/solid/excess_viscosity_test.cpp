@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "tests/support/momentum_views.hpp"
@@ -36,7 +37,7 @@ TEST_P(ExcessViscosityTest, InSolidAloneIsTheFluidsForceTimesTheExcess) {
   for (const double fraction : {0.95, 1.0}) {
     set_fraction([=](int, int, int) { return fraction; });
     const auto velocity = support::random_velocity(d, 3);
-    ExcessViscosity excess(kRatio, kSolidFrom, g);
+    ExcessViscosity excess(kRatio, kSolidFrom, kMeanByVolume, g);
     excess.renew(m, velocity, 0);
     const auto viscous = support::momentum_input(velocity, g, 1),
                inviscid = support::momentum_input(velocity, g, 0);
@@ -67,7 +68,7 @@ TEST_P(ExcessViscosityTest, OfALinearFractionInLinearFlowIsExact) {
     return 0.1 + slope[0] * x + slope[1] * y + slope[2] * z;
   });
   const auto velocity = L.on(d.grid);
-  ExcessViscosity excess(kRatio, 0, d.grid);
+  ExcessViscosity excess(kRatio, 0, kMeanByVolume, d.grid);
   excess.renew(m, velocity, 0);
   double exact[3] = {};
   for (int a = 0; a < 3; ++a) {
@@ -95,7 +96,7 @@ TEST_P(ExcessViscosityTest, AtTheInterfaceIsThatOfTheSolidsOwnShear) {
                             [&](double, double y, double) { return shear(y, solid_x); });
     support::set_everywhere(velocity.z, g, support::kFaceZ,
                             [&](double, double y, double) { return shear(y, solid_z); });
-    ExcessViscosity excess(kRatio, kSolidFrom, g);
+    ExcessViscosity excess(kRatio, kSolidFrom, kMeanByVolume, g);
     excess.renew(m, velocity, interface - 3);
     const double half = kExcess * g.upper_share[interface];  // stress on the interface over the shear
     const double above = (kExcess - half) * g.inv_dy[interface], below = half * g.inv_dy[interface - 1];
@@ -114,11 +115,40 @@ TEST_P(ExcessViscosityTest, AtTheInterfaceIsThatOfTheSolidsOwnShear) {
   }
 }
 
+/// A flat interface between two linear profiles: with what is lacking, the fluid's stress becomes that of its
+/// own shear below the interface, or, where the grid puts more solid than fluid around the edge, a mean of
+/// that and the solid's.
+TEST_P(ExcessViscosityTest, TheFluidsOwnShearCountsAtTheInterface) {
+  const auto& g = d.grid;
+  const int interface = 5;
+  const double fluids = 3, solids = -0.7;
+  set_fraction([=](int, int j, int) { return j >= interface ? 1.0 : 0.0; });
+  grid::VectorField velocity(g, 1);
+  support::set_everywhere(velocity.x, g, support::kFaceX, [&](double, double y, double) {
+    const double from = y - g.y_face[interface];
+    return from * (from > 0 ? solids : fluids);
+  });
+  for (const double ratio : {1.0, kRatio}) {
+    ExcessViscosity excess(ratio, kSolidFrom, kFluidAtInterface, g);
+    excess.renew(m, velocity, interface - 3);
+    const double phi = g.upper_share[interface], s = std::max(0.0, 2 * phi - 1);
+    const double lacks = (1 - s) * fluids + s * ratio * solids - ((1 - phi) * fluids + phi * solids);
+    const auto x = excess.force().x.view();
+    for (int k = 0; k < g.nz; ++k) {
+      for (int i = 0; i < g.nx; ++i) {
+        ASSERT_NEAR(x(i, interface - 1, k), lacks * g.inv_dy[interface - 1], 1e-11);
+        ASSERT_NEAR(x(i, interface, k), ((ratio - 1) * solids - lacks) * g.inv_dy[interface], 1e-11);
+        ASSERT_NEAR(x(i, interface + 1, k), 0, 1e-11);
+      }
+    }
+  }
+}
+
 TEST_P(ExcessViscosityTest, MovesMomentumOnlyThroughTheUpperWall) {
   const auto& g = d.grid;
   set_fraction([=](int i, int j, int k) { return j < 4 ? 0 : (1 + support::noise(4, i, j, k)) / 2; });
   const auto velocity = support::random_velocity(d, 3);
-  ExcessViscosity excess(kRatio, kSolidFrom, g);
+  ExcessViscosity excess(kRatio, kSolidFrom, kMeanByVolume, g);
   excess.renew(m, velocity, 2);
   auto sums = excess.shear_stress_sums(m, velocity, 2);
   parallel::sum(d.decomposition.all(), sums);

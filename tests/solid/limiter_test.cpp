@@ -43,7 +43,7 @@ class Limiter : public testing::TestWithParam<double> {
   }
   grid::VectorField force_of(const Material& m) const {
     grid::VectorField force(d.grid, 0), sum(d.grid, 0);
-    renew_elastic_force(m, 1.0, d.grid, 0, force, sum);
+    renew_elastic_force(m, 1.0, kMeanByVolume, d.grid, 0, force, sum);
     return force;
   }
 };

@@ -74,7 +74,7 @@ TEST(Profiles, StressesAreTheFluxesOfTheMomentumEquation) {
     grid::VectorField force(g, 0), unused(g, 0);
     solid::ExcessViscosity excess(s.elastic ? physics.solid->viscosity_ratio : 1, 0.9, g);
     if (s.elastic) {
-      solid::renew_elastic_force(s.material, physics.solid->G, g, 0, force, unused);
+      solid::renew_elastic_force(s.material, physics.solid->G, solid::kMeanByVolume, g, 0, force, unused);
       excess.renew(s.material, s.velocity, 0);
     }
     const auto means = plane_means(s, setup);

@@ -43,4 +43,15 @@ inline void expect_order(const std::string& what, const std::vector<double>& err
   EXPECT_GE(overall / static_cast<double>(errors.size() - 1), least - kCoarseAllowance) << measured;
 }
 
+/// The same for errors that fall below `floor`, where parts of different sign may cancel: expects the order
+/// between the first grid with so small an error and the one before it, or else between the two finest.
+inline void expect_order_down_to(double floor, const std::string& what, const std::vector<double>& errors,
+                                 double least) {
+  report(what, errors);
+  ASSERT_GE(errors.size(), 3U);
+  std::size_t n = 1;
+  while (n + 1 < errors.size() && errors[n] >= floor) ++n;
+  EXPECT_GE(observed_order(errors[n - 1], errors[n], 2.0), least) << described(what, errors);
+}
+
 }  // namespace softwall::support

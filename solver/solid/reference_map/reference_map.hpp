@@ -26,6 +26,7 @@ class ReferenceMap : public Formulation {
                  int first_row) override;
   /// Under a flat surface: both rows whose difference it takes have their centers in the solid.
   [[nodiscard]] Real solid_from() const override { return Real(0.75); }
+  [[nodiscard]] InterfaceShare interface_share() const override { return kFluidAtInterface; }
   /// With any solid in them and det A below kLeastVolume (strain.hpp).
   [[nodiscard]] std::int64_t limited_cells() const override { return limited_cells_; }
 
