@@ -72,7 +72,8 @@ TEST(Profiles, StressesAreTheFluxesOfTheMomentumEquation) {
     const auto& g = setup.grid;
     const auto m = support::momentum_input(s.velocity, g, setup.viscosity);
     grid::VectorField force(g, 0), unused(g, 0);
-    solid::ExcessViscosity excess(s.elastic ? physics.solid->viscosity_ratio : 1, 0.9, g);
+    solid::ExcessViscosity excess(s.elastic ? physics.solid->viscosity_ratio : 1, 0.9, solid::kMeanByVolume,
+                                  g);
     if (s.elastic) {
       solid::renew_elastic_force(s.material, physics.solid->G, solid::kMeanByVolume, g, 0, force, unused);
       excess.renew(s.material, s.velocity, 0);
