@@ -10,7 +10,7 @@
 /// with g the velocity's difference across the edge, and g_s and B the solid's own shear and deformation. But
 /// these two stand a row above, where the stress is another by a spacing times the gradient of pressure; g_f
 /// stands where it is needed. With the mean by volume, s = phi, a layer that hardly yields (G = 8, 32 x 32 +
-/// 8 x 32 cells) had a friction 6 % below that of the rigid wall opposite, and w' in the first row of cells
+/// 8 x 32 cells) had a Re_tau 6 % below that of the rigid wall opposite, and w' in the first row of cells
 /// was a third too low; with the fluid's stress alone at a flat interface both are as at the rigid wall.
 namespace softwall::solid {
 
