@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "solver/grid/cell_loop.hpp"
 #include "solver/solid/column_extension.hpp"
@@ -51,24 +52,25 @@ struct Stress {
   }
 };
 
-/// d/dy of a component of the velocity on its edges, of the solid: in rows first_row <= j <= ny of this
-/// rank's columns and one more on the high sides. phi_at: averaged to those edges.
+/// d/dy of a component of the velocity on its edges, of the solid: in rows first_row <= j <= end_row of this
+/// rank's columns and one more on the high sides. Edges from end_row on lie in the solid. phi_at: averaged to
+/// edges.
 template <class FractionAt>
 void find_shear(const grid::Field& component, const FractionAt& phi_at, Real solid_from, const Grid& g,
-                int first_row, grid::Field& shear) {
-  const grid::Box box{0, g.nx + 1, first_row, g.ny + 1, 0, g.nz + 1};
+                int first_row, int end_row, grid::Field& shear) {
+  const grid::Box box{0, g.nx + 1, first_row, end_row + 1, 0, g.nz + 1};
   const auto q = component.view();
   const auto out = shear.view();
   const Real* inv_dy_face = g.inv_dy_face.data();
   grid::for_each_cell(
       box, [=](int i, int j, int k) { out(i, j, k) = (q(i, j, k) - q(i, j - 1, k)) * inv_dy_face[j]; });
-  extend_down(std::array{&shear}, phi_at, solid_from, g.ny - 1, box);
+  extend_down(std::array{&shear}, phi_at, solid_from, end_row - 1, box);
 }
 
 void find_shear_xy(const Fraction& phi, const grid::VectorField& velocity, Real solid_from, const Grid& g,
-                   int first_row, grid::Field& shear) {
+                   int first_row, int end_row, grid::Field& shear) {
   const auto on_xy = [=](int i, int j, int k) { return phi.edge_xy(i, j, k); };
-  find_shear(velocity.x, on_xy, solid_from, g, first_row, shear);
+  find_shear(velocity.x, on_xy, solid_from, g, first_row, end_row, shear);
 }
 
 Fraction fraction_of(const Material& m, const Grid& g) { return {m.phi.view(), g.upper_share.data()}; }
@@ -95,6 +97,18 @@ void assign(const grid::Box& box, const Component& component, grid::Field& field
   grid::for_each_cell(box, [=](int i, int j, int k) { out(i, j, k) = component(i, j, k); });
 }
 
+/// One row above the lowest row from which on all is solid, ghost columns too; ny when there is none.
+int end_of_interface(const grid::Field& fraction, const Grid& g, int first_row) {
+  const auto phi = fraction.view();
+  const auto is_solid = [&](int row) {
+    const grid::Box box{-1, g.nx + 1, row, row + 1, -1, g.nz + 1};
+    return grid::max_cells(box, 0.0, [=](int i, int j, int k) { return 1 - phi(i, j, k); }) <= 0;
+  };
+  int row = first_row;
+  while (row < g.ny && !is_solid(row)) ++row;
+  return std::min(row + 1, g.ny);
+}
+
 }  // namespace
 
 ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const InterfaceShare& share, const Grid& grid)
@@ -110,10 +124,14 @@ void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity
   const auto& g = grid_;
   const Fraction phi = fraction_of(m, g);
   const auto on_yz = [=](int i, int j, int k) { return phi.edge_yz(i, j, k); };
-  find_shear_xy(phi, velocity, solid_from_, g, first_row, shear_xy_);
-  find_shear(velocity.z, on_yz, solid_from_, g, first_row, shear_yz_);
+  // In a solid as viscous as the fluid nothing is lacking above the interface: there the force stays zero.
+  const int interface_end = ratio_ == 1 ? end_of_interface(m.phi, g, first_row) : g.ny;
+  const int end_row = std::max(interface_end, std::exchange(last_end_row_, interface_end));
+  find_shear_xy(phi, velocity, solid_from_, g, first_row, end_row, shear_xy_);
+  find_shear(velocity.z, on_yz, solid_from_, g, first_row, end_row, shear_yz_);
   const StressDivergence force(stress_of(m, velocity, shear_xy_, shear_yz_, ratio_, share_, g), g);
-  const auto centers = grid::rows(g, first_row, g.ny), faces = grid::rows(g, std::max(first_row, 1), g.ny);
+  const auto centers = grid::rows(g, first_row, end_row),
+             faces = grid::rows(g, std::max(first_row, 1), end_row);
   assign(
       centers, [=](int i, int j, int k) { return force.x(i, j, k); }, force_.x);
   assign(
@@ -126,7 +144,7 @@ std::vector<double> ExcessViscosity::shear_stress_sums(const Material& m, const 
                                                        int first_row) const {
   const auto& g = grid_;
   grid::Field shear(g, 1);
-  find_shear_xy(fraction_of(m, g), velocity, solid_from_, g, first_row, shear);
+  find_shear_xy(fraction_of(m, g), velocity, solid_from_, g, first_row, g.ny, shear);
   const Stress stress = stress_of(m, velocity, shear, shear, ratio_, share_, g);
   std::vector<double> sums(static_cast<std::size_t>(g.ny) + 1);
   for (int j = first_row; j <= g.ny; ++j) {

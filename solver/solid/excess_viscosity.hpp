@@ -47,6 +47,7 @@ class ExcessViscosity {
   const Grid& grid_;
   grid::Field shear_xy_, shear_yz_;  ///< du/dy and dw/dy of the solid on edges
   grid::VectorField force_;
+  int last_end_row_ = 0;  ///< rows from here on held no force
 };
 
 }  // namespace softwall::solid
