@@ -65,8 +65,3 @@ def read_box_campaign(folder, flow):
     if not cases:
         sys.exit(f"no {flow} in {folder} has left snapshots yet; run the campaign first")
     return sorted(cases, key=lambda case: case.cells)
-
-
-def judge(name, value, bar):
-    """One printed line: what was measured, the bar, and whether it holds."""
-    print(f"{name:58s} {value:10.5f}   bar {bar:g}   {'holds' if value <= bar else 'MISSED'}")

@@ -187,6 +187,11 @@ def caption(cases):
     )
 
 
+def judge(name, value, bar):
+    """One printed line: what was measured, the bar, and whether it holds."""
+    print(f"{name:58s} {value:10.5f}   bar {bar:g}   {'holds' if value <= bar else 'MISSED'}")
+
+
 def save(figure, options, script, text):
     """Write the figure with its caption below, by default next to the campaign's store."""
     name = pathlib.Path(script).stem.removeprefix("plot_") + ".png"

@@ -3,8 +3,8 @@
 
 import numpy as np
 
-from box_data import judge, read_box_campaign
-from campaign_data import arguments, plt, read_reference, save
+from box_data import read_box_campaign
+from campaign_data import arguments, judge, plt, read_reference, save
 
 # Against the table's grid, 129 x 129; some of its entries are off by this much against later, finer solutions.
 BAR = 0.005

@@ -3,8 +3,8 @@
 
 import numpy as np
 
-from box_data import judge, read_box_campaign
-from campaign_data import arguments, plt, read_reference, save
+from box_data import read_box_campaign
+from campaign_data import arguments, judge, plt, read_reference, save
 
 TIMES = (1.17, 2.34, 3.51, 4.69, 5.86, 7.03)
 END = 20.0

@@ -14,10 +14,10 @@ MARKERS = "osv^D<>"
 def option_of(case):
     """What the solid is made with, in a few words."""
     solid = json.loads((case.directory / "case.json").read_text())["physics"]["solid"]
-    if solid["formulation"] == "reference_map":
-        return "reference map"
-    transport = "MTHINC" if solid.get("interface") == "mthinc" else {"z": "WENO-Z", "js": "WENO-JS"}[solid["weno"]]
-    return f"{transport}, threshold {solid['threshold']:g}"
+    if solid.get("formulation") == "transported_B":
+        transport = "MTHINC" if solid.get("interface") == "mthinc" else {"z": "WENO-Z", "js": "WENO-JS"}[solid["weno"]]
+        return f"{transport}, threshold {solid['threshold']:g}"
+    return "reference map"
 
 
 def with_interval(case, quantity, digits):
@@ -27,14 +27,18 @@ def with_interval(case, quantity, digits):
     return f"{value:.{digits}f}" + ("" if math.isnan(interval) else f" +- {interval:.{digits}f}")
 
 
+def extreme(case, name, of):
+    return f"{of(case.series[name]):.2g}" if name in case.series else "-"
+
+
 def print_table(cases):
     print("| grid | G | solid | Re_tau | delta | Delta U+ | width, cells | least eigenvalue | max abs(det B - 1) | t |")
     print("|---|---|---|---|---|---|---|---|---|---|")
     for case in cases:
         print(f"| {case.grid} | {case.G:g} | {option_of(case)} | {with_interval(case, 're_tau', 1)} | "
               f"{with_interval(case, 'delta_max', 3)} | {with_interval(case, 'delta_u_plus', 1)} | "
-              f"{case.series['interface_width_cells'][-1]:.1f} | {case.series['min_eigenvalue'].min():.2g} | "
-              f"{case.series['max_det_error'].max():.2g} | {case.end[-1]:g} |")
+              f"{extreme(case, 'interface_width_cells', lambda width: width[-1])} | "
+              f"{extreme(case, 'min_eigenvalue', min)} | {extreme(case, 'max_det_error', max)} | {case.end[-1]:g} |")
 
 
 def draw_paper(panel, quantity):

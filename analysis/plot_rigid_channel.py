@@ -11,8 +11,7 @@ import sys
 import h5py
 import numpy as np
 
-from box_data import judge
-from campaign_data import arguments, caption, plt, read_campaign, read_reference, save
+from campaign_data import arguments, caption, judge, plt, read_campaign, read_reference, save
 
 BATCHES, STUDENT_T = 16, 2.131  # neighbouring blocks merged, and the 95 % quantile for one batch less
 CORRELATED_AT = (10, 98)  # y+ of the correlations shown

@@ -3,8 +3,8 @@
 
 import numpy as np
 
-from box_data import LEVEL, judge, read_box_campaign
-from campaign_data import arguments, plt, save
+from box_data import LEVEL, read_box_campaign
+from campaign_data import arguments, judge, plt, save
 
 FINE = 16  # points a cell on which areas are counted
 TRANSPORTS = {"js": ("tab:blue", "WENO, Jiang-Shu"), "z": ("tab:red", "WENO, Z"), "mthinc": ("tab:green", "MTHINC")}
