@@ -7,14 +7,18 @@
 /// Vortices that turn a solid for a while, slow to a halt, and turn it back to where it was.
 namespace softwall::support {
 
-/// The velocity of a stream function psi on the edges along z, u = dpsi/dy, v = -dpsi/dx: discretely
-/// solenoidal. psi = sin^2(pi y) sin(2 pi x / length) / 12 vanishes with its gradient on the walls y = 0, 1.
+/// psi = sin^2(pi y) sin(2 pi periods) / 12 on y face j, `periods` along x or z: it vanishes with its
+/// gradient on the walls y = 0, 1.
+inline double vortex_stream_function(const Grid& g, int j, double periods) {
+  return std::pow(std::sin(std::numbers::pi * g.y_face[j]), 2) * std::sin(2 * std::numbers::pi * periods) /
+         12;
+}
+
+/// The velocity of the stream function on the edges along z, u = dpsi/dy, v = -dpsi/dx: discretely
+/// solenoidal.
 inline VectorField vortex_in_xy(Domain& d) {
   const auto& g = d.grid;
-  const auto psi = [&](int i, int j) {
-    return std::pow(std::sin(std::numbers::pi * g.y_face[j]), 2) *
-           std::sin(2 * std::numbers::pi * i / g.nx_global) / 12;
-  };
+  const auto psi = [&](int i, int j) { return vortex_stream_function(g, j, double(i) / g.nx_global); };
   VectorField unit(g, 1);
   set_by_index(unit.x, g, g.ny, [&](int i, int j, int) { return (psi(i, j + 1) - psi(i, j)) / g.dy[j]; });
   set_by_index(unit.y, g, g.ny, [&](int i, int j, int) { return -(psi(i + 1, j) - psi(i, j)) / g.dx; });
@@ -25,10 +29,7 @@ inline VectorField vortex_in_xy(Domain& d) {
 /// The same with z in the place of x.
 inline VectorField vortex_in_yz(Domain& d) {
   const auto& g = d.grid;
-  const auto psi = [&](int k, int j) {
-    return std::pow(std::sin(std::numbers::pi * g.y_face[j]), 2) *
-           std::sin(2 * std::numbers::pi * k / g.nz_global) / 12;
-  };
+  const auto psi = [&](int k, int j) { return vortex_stream_function(g, j, double(k) / g.nz_global); };
   VectorField unit(g, 1);
   set_by_index(unit.z, g, g.ny, [&](int, int j, int k) { return (psi(k, j + 1) - psi(k, j)) / g.dy[j]; });
   set_by_index(unit.y, g, g.ny, [&](int, int j, int k) { return -(psi(k + 1, j) - psi(k, j)) / g.dz; });
