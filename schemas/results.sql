@@ -252,11 +252,11 @@ WITH events (at, rank, event, attempt, detail, case_id) AS (
   UNION ALL
   SELECT started, 2, 'attempt started', attempt, 'pid ' || pid, case_id FROM attempts WHERE started IS NOT NULL
   UNION ALL
-  SELECT first_seen, 3, 'checkpoint seen', NULL, path || iif(valid, '', ': not valid, ' || reason), case_id
-  FROM checkpoints
-  UNION ALL
-  SELECT ended, 4, 'attempt ended', attempt, outcome || iif(coalesce(reason, '') = '', '', ': ' || reason), case_id
+  SELECT ended, 3, 'attempt ended', attempt, outcome || iif(coalesce(reason, '') = '', '', ': ' || reason), case_id
   FROM attempts WHERE ended IS NOT NULL
+  UNION ALL
+  SELECT first_seen, 4, 'checkpoint seen', NULL, path || iif(valid, '', ': not valid, ' || reason), case_id
+  FROM checkpoints
   UNION ALL
   SELECT max(recorded), 5, 'result recorded', NULL, 't = ' || max(window_start) || ' to ' || max(window_end), case_id
   FROM quantities GROUP BY case_id)

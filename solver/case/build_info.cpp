@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
+#include <cstdio>
 #include <ctime>
 
 #include "solver/case/git_revision.hpp"
@@ -20,11 +22,15 @@ std::string host_name() {
 }
 
 std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
+  using std::chrono::milliseconds;
+  const milliseconds now =
+      std::chrono::duration_cast<milliseconds>(std::chrono::system_clock::now().time_since_epoch());
+  const std::time_t seconds = now.count() / 1000;
   std::tm broken_down{};
-  gmtime_r(&now, &broken_down);
+  gmtime_r(&seconds, &broken_down);
   std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &broken_down);
+  const std::size_t written = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S", &broken_down);
+  std::snprintf(text.data() + written, text.size() - written, ".%03dZ", static_cast<int>(now.count() % 1000));
   return text.data();
 }
 

@@ -16,7 +16,8 @@ struct BuildInfo {
 
 [[nodiscard]] std::string host_name();
 
-/// Now, as ISO 8601 in UTC with seconds: "2024-05-06T07:08:09Z".
+/// Now, as ISO 8601 in UTC with milliseconds: "2024-05-06T07:08:09.012Z". Whole seconds would not tell in
+/// which order the short cases of a campaign followed each other.
 [[nodiscard]] std::string utc_now();
 
 }  // namespace softwall

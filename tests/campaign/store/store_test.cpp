@@ -258,7 +258,7 @@ TEST_F(StoreTest, TellsTheStoryInOrder) {
   store.record_checkpoints(id, {{"checkpoints/checkpoint-000000003.h5", 3, 0.1, 10, "00", true, ""}});
   store.record_result(id, result_made_of(1.0), "abc");
   EXPECT_EQ(answer(store, "SELECT group_concat(event, '; ') FROM (SELECT * FROM timeline)"),
-            "attempt intended; checkpoint seen; attempt ended; result recorded");
+            "attempt intended; attempt ended; checkpoint seen; result recorded");
   EXPECT_EQ(answer(store, "SELECT outcome FROM attempt_history"), "failed");
   EXPECT_EQ(answer(store, "SELECT step FROM progress WHERE case_id = '" + id + "'"), "3");
 }
