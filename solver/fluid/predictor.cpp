@@ -1,5 +1,6 @@
 #include "solver/fluid/predictor.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace softwall::fluid {
@@ -16,11 +17,11 @@ struct Output {
 };
 
 /// What acts on a row of cells beside the fluid's own stresses.
-enum class Holds { kFluid, kSolid, kSolidOfOtherViscosity };
+enum class Holds { kFluid, kSolid, kSolidWithExcessViscosity };
 
 /// A component of the forces of the solid; `viscous` over the viscosity of the fluid.
 struct Forces {
-  View<const Real> elastic, viscous;
+  View<const Real> elastic, elastic_before, viscous;
   Real viscosity;
 };
 
@@ -31,9 +32,12 @@ void update(int nx, int j, int k, const Weights& w, const Real* fluid, View<cons
 #pragma omp simd
   for (int i = 0; i < nx; ++i) {
     Real now = fluid[i];
-    if constexpr (kHolds == Holds::kSolidOfOtherViscosity) now += forces.viscosity * forces.viscous(i, j, k);
+    if constexpr (kHolds == Holds::kSolidWithExcessViscosity)
+      now += forces.viscosity * forces.viscous(i, j, k);
     Real change = w.now * now + w.before * out.rate(i, j, k) - w.pressure * gradient(i, j, k);
-    if constexpr (kHolds != Holds::kFluid) change += w.force * forces.elastic(i, j, k);
+    if constexpr (kHolds != Holds::kFluid) {
+      change += w.force * (forces.elastic(i, j, k) + forces.elastic_before(i, j, k));
+    }
     out.rate(i, j, k) = now;
     out.predicted(i, j, k) = old(i, j, k) + change;
   }
@@ -46,7 +50,7 @@ void predict_rows(MomentumSweep& sweep, int nx, int j0, int j1, const MomentumIn
                   grid::VectorField& predicted) {
   const auto forces = [&](grid::Field grid::VectorField::*component, View<const Real> unused) -> Forces {
     const auto view = [=](const grid::VectorField* f) { return f ? (f->*component).view() : unused; };
-    return {view(solid.force), view(solid.excess_viscous), m.nu};
+    return {view(solid.force_now), view(solid.force_before), view(solid.excess_viscous), m.nu};
   };
   const Forces on_x = forces(&grid::VectorField::x, m.u), on_y = forces(&grid::VectorField::y, m.v),
                on_z = forces(&grid::VectorField::z, m.w);
@@ -83,14 +87,12 @@ void Predictor::advance(grid::VectorField& velocity, const grid::Field& pressure
   const Weights w{Real(2 * stage.alpha * dt), Real(stage.alpha * dt), Real(stage.beta * dt),
                   Real(stage.gamma * dt)};
   const auto p = pressure.view();
-  const int solid_row = solid.force ? solid.first_row : g.ny;
+  const int solid_row = solid.force_now ? solid.first_row : g.ny;
+  const int plain_row = solid.excess_viscous ? std::max(solid_row, solid.excess_end_row) : solid_row;
   predict_rows<Holds::kFluid>(sweep_, g.nx, 0, solid_row, m, p, w, solid, rate_, predicted_);
-  if (solid.excess_viscous) {
-    predict_rows<Holds::kSolidOfOtherViscosity>(sweep_, g.nx, solid_row, g.ny, m, p, w, solid, rate_,
-                                                predicted_);
-  } else {
-    predict_rows<Holds::kSolid>(sweep_, g.nx, solid_row, g.ny, m, p, w, solid, rate_, predicted_);
-  }
+  predict_rows<Holds::kSolidWithExcessViscosity>(sweep_, g.nx, solid_row, plain_row, m, p, w, solid, rate_,
+                                                 predicted_);
+  predict_rows<Holds::kSolid>(sweep_, g.nx, plain_row, g.ny, m, p, w, solid, rate_, predicted_);
   std::swap(velocity, predicted_);
 }
 

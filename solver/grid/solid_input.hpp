@@ -6,12 +6,14 @@ namespace softwall {
 
 /// What the solid hands to the momentum equation; an absent one (rigid channel) has no rows.
 struct SolidInput {
-  const grid::Field* fraction = nullptr;     ///< phi, ghost cells filled
-  const grid::VectorField* force = nullptr;  ///< f^k + f^{k-1} on the faces
-  int first_row = 0;                         ///< phi and forces vanish below this row
+  const grid::Field* fraction = nullptr;            ///< phi, ghost cells filled
+  const grid::VectorField* force_now = nullptr;     ///< f^k on the faces
+  const grid::VectorField* force_before = nullptr;  ///< f^{k-1}
+  int first_row = 0;                                ///< phi and forces vanish below this row
   double viscosity_ratio = 1;
   /// What the fluid's viscous force lacks at moment k-1, over mu_f; absent when nothing does.
   const grid::VectorField* excess_viscous = nullptr;
+  int excess_end_row = 0;  ///< it vanishes from this row on
   /// How many times the fluid's viscosity counts at an edge on the interface (solid/interface_share.hpp).
   double interface_viscosity = 1;
 };

@@ -1,6 +1,7 @@
 #include "solver/solid/elastic_force.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "solver/solid/fraction.hpp"
 #include "solver/solid/stress_divergence.hpp"
@@ -23,20 +24,22 @@ struct Stress {
   Real yz(int i, int j, int k) const { return G * share.solid(phi.edge_yz(i, j, k)) * Byz(i, j, k); }
 };
 
-template <class Force>
-void renew(const grid::Box& box, const Force& force, grid::Field& previous, grid::Field& sum) {
-  const auto before = previous.view(), both = sum.view();
-  grid::for_each_cell(box, [=](int i, int j, int k) {
-    const Real now = force(i, j, k);
-    both(i, j, k) = now + before(i, j, k);
-    before(i, j, k) = now;
-  });
+/// One component.
+template <class Component>
+void assign(const grid::Box& box, const Component& component, grid::Field& force) {
+  const auto out = force.view();
+  grid::for_each_cell(box, [=](int i, int j, int k) { out(i, j, k) = component(i, j, k); });
 }
 
 }  // namespace
 
-void renew_elastic_force(const Material& m, double G, const InterfaceShare& share, const Grid& g,
-                         int first_row, grid::VectorField& previous, grid::VectorField& sum) {
+ElasticForce::ElasticForce(double G, const InterfaceShare& share, const Grid& grid)
+    : G_(Real(G)), share_(share), grid_(grid), now_(grid, 0), before_(grid, 0) {}
+
+void ElasticForce::keep() { std::swap(now_, before_); }
+
+void ElasticForce::find(const Material& m, int first_row, int k) {
+  const Grid& g = grid_;
   const StressDivergence<Stress> force({{m.phi.view(), g.upper_share.data()},
                                         m.B.xx.view(),
                                         m.B.yy.view(),
@@ -44,16 +47,21 @@ void renew_elastic_force(const Material& m, double G, const InterfaceShare& shar
                                         m.B.xy.view(),
                                         m.B.xz.view(),
                                         m.B.yz.view(),
-                                        Real(G),
-                                        share},
+                                        G_,
+                                        share_},
                                        g);
-  const auto centers = grid::rows(g, first_row, g.ny), faces = grid::rows(g, std::max(first_row, 1), g.ny);
-  renew(
-      centers, [=](int i, int j, int k) { return force.x(i, j, k); }, previous.x, sum.x);
-  renew(
-      faces, [=](int i, int j, int k) { return force.y(i, j, k); }, previous.y, sum.y);
-  renew(
-      centers, [=](int i, int j, int k) { return force.z(i, j, k); }, previous.z, sum.z);
+  const grid::Box centers{0, g.nx, first_row, g.ny, k, k + 1},
+      faces{0, g.nx, std::max(first_row, 1), g.ny, k, k + 1};
+  assign(
+      centers, [=](int i, int j, int plane) { return force.x(i, j, plane); }, now_.x);
+  assign(
+      faces, [=](int i, int j, int plane) { return force.y(i, j, plane); }, now_.y);
+  assign(
+      centers, [=](int i, int j, int plane) { return force.z(i, j, plane); }, now_.z);
+}
+
+void ElasticForce::find(const Material& material, int first_row) {
+  for (int k = 0; k < grid_.nz; ++k) find(material, first_row, k);
 }
 
 }  // namespace softwall::solid

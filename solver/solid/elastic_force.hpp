@@ -10,9 +10,27 @@
 /// the identity added to B (as the limiter does) moves nothing.
 namespace softwall::solid {
 
-/// sum = force(now) + previous; then previous = force(now). Rows from first_row on; elsewhere both stay as
-/// they are. `material` needs its ghost cells.
-void renew_elastic_force(const Material& material, double G, const InterfaceShare& share, const Grid& grid,
-                         int first_row, grid::VectorField& previous, grid::VectorField& sum);
+class ElasticForce {
+ public:
+  ElasticForce(double G, const InterfaceShare& share, const Grid& grid);
+
+  /// The present force becomes that of the moment before. To be called before the material moves on.
+  void keep();
+
+  /// Finds the present force in plane k, rows from first_row on; elsewhere it stays as it is. Reads the ghost
+  /// cells of `material` and its planes k - 1 and k + 1.
+  void find(const Material& material, int first_row, int k);
+  /// The same in every plane of this rank.
+  void find(const Material& material, int first_row);
+
+  [[nodiscard]] const grid::VectorField& now() const { return now_; }
+  [[nodiscard]] const grid::VectorField& before() const { return before_; }
+
+ private:
+  Real G_;
+  InterfaceShare share_;
+  const Grid& grid_;
+  grid::VectorField now_, before_;
+};
 
 }  // namespace softwall::solid

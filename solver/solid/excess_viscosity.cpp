@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "solver/grid/cell_loop.hpp"
 #include "solver/solid/column_extension.hpp"
@@ -120,24 +119,32 @@ ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const InterfaceS
       shear_yz_(grid, 1),
       force_(grid, 0) {}
 
-void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity, int first_row) {
-  const auto& g = grid_;
-  const Fraction phi = fraction_of(m, g);
-  const auto on_yz = [=](int i, int j, int k) { return phi.edge_yz(i, j, k); };
-  // In a solid as viscous as the fluid nothing is lacking above the interface: there the force stays zero.
-  const int interface_end = ratio_ == 1 ? end_of_interface(m.phi, g, first_row) : g.ny;
-  const int end_row = std::max(interface_end, std::exchange(last_end_row_, interface_end));
-  find_shear_xy(phi, velocity, solid_from_, g, first_row, end_row, shear_xy_);
-  find_shear(velocity.z, on_yz, solid_from_, g, first_row, end_row, shear_yz_);
-  const StressDivergence force(stress_of(m, velocity, shear_xy_, shear_yz_, ratio_, share_, g), g);
-  const auto centers = grid::rows(g, first_row, end_row),
-             faces = grid::rows(g, std::max(first_row, 1), end_row);
+template <class Force>
+void ExcessViscosity::find_force(const Force& force, int first_row) {
+  const auto centers = grid::rows(grid_, first_row, end_row_),
+             faces = grid::rows(grid_, std::max(first_row, 1), end_row_);
   assign(
       centers, [=](int i, int j, int k) { return force.x(i, j, k); }, force_.x);
   assign(
       faces, [=](int i, int j, int k) { return force.y(i, j, k); }, force_.y);
   assign(
       centers, [=](int i, int j, int k) { return force.z(i, j, k); }, force_.z);
+}
+
+void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity, int first_row) {
+  const auto& g = grid_;
+  const Fraction phi = fraction_of(m, g);
+  const auto on_yz = [=](int i, int j, int k) { return phi.edge_yz(i, j, k); };
+  // In a solid as viscous as the fluid nothing is lacking above the interface.
+  end_row_ = ratio_ == 1 ? end_of_interface(m.phi, g, first_row) : g.ny;
+  find_shear_xy(phi, velocity, solid_from_, g, first_row, end_row_, shear_xy_);
+  find_shear(velocity.z, on_yz, solid_from_, g, first_row, end_row_, shear_yz_);
+  const Stress stress = stress_of(m, velocity, shear_xy_, shear_yz_, ratio_, share_, g);
+  if (ratio_ == 1) {
+    find_force(ShearDivergence(stress, g), first_row);
+  } else {
+    find_force(StressDivergence(stress, g), first_row);
+  }
 }
 
 std::vector<double> ExcessViscosity::shear_stress_sums(const Material& m, const grid::VectorField& velocity,

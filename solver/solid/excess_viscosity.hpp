@@ -32,8 +32,10 @@ class ExcessViscosity {
 
   /// Finds the force, in rows from first_row on. Ghost cells of phi and of the velocity must be filled.
   void renew(const Material& material, const grid::VectorField& velocity, int first_row);
-  /// Force of what the fluid's stress lacks, on the faces.
+  /// Force of what the fluid's stress lacks, on the faces, in rows first_row <= j < end_row(): elsewhere
+  /// nothing is lacking, whatever the field holds there.
   [[nodiscard]] const grid::VectorField& force() const { return force_; }
+  [[nodiscard]] int end_row() const { return end_row_; }
 
   /// Sum over this rank's columns of the shear stress on xy edges, for each row 0 .. ny: the fluxes of which
   /// the force is the difference.
@@ -41,13 +43,16 @@ class ExcessViscosity {
                                                       const grid::VectorField& velocity, int first_row) const;
 
  private:
+  template <class Force>
+  void find_force(const Force& force, int first_row);
+
   Real ratio_;  ///< mu_s / mu_f
   Real solid_from_;
   InterfaceShare share_;
   const Grid& grid_;
   grid::Field shear_xy_, shear_yz_;  ///< du/dy and dw/dy of the solid on edges
   grid::VectorField force_;
-  int last_end_row_ = 0;  ///< rows from here on held no force
+  int end_row_ = 0;
 };
 
 }  // namespace softwall::solid

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "solver/grid/field.hpp"
 #include "solver/grid/stage.hpp"
@@ -10,6 +11,10 @@
 /// What the two formulations of the solid have to offer to solid.hpp, the border behind which they stand:
 /// each carries its own fields of the material with the flow and derives phi and B from them.
 namespace softwall::solid {
+
+/// Called with each plane k of this rank, in order, as soon as phi and B are as they will be wherever the
+/// force in that plane reads them: while they are in the cache.
+using PlaneReady = std::function<void(int k)>;
 
 class Formulation {
  public:
@@ -24,12 +29,12 @@ class Formulation {
 
   /// Fills ghost cells and derives, in rows from first_row on, what is not in the state. Done again, it
   /// changes no bit: a restart does.
-  virtual void make_consistent(Material& material, int first_row) = 0;
+  virtual void make_consistent(Material& material, int first_row, const PlaneReady& ready) = 0;
 
   /// Advances the material through one substep with the velocity at its beginning (ghost cells filled), in
   /// rows from first_row on, and makes it consistent.
   virtual void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
-                         int first_row) = 0;
+                         int first_row, const PlaneReady& ready) = 0;
 
   /// An edge where phi is at least this lies in the solid: its own shear is the solid's
   /// (excess_viscosity.hpp).

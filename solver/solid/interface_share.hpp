@@ -16,14 +16,20 @@ namespace softwall::solid {
 
 using grid::Real;
 
-struct InterfaceShare {
-  /// phi up to which the fluid's stress counts alone; beyond, it gives way linearly.
-  Real fluid_alone;
+class InterfaceShare {
+ public:
+  /// fluid_alone: phi up to which the fluid's stress counts alone; beyond, it gives way linearly.
+  explicit constexpr InterfaceShare(Real fluid_alone)
+      : fluid_alone_(fluid_alone), slope_(1 / (1 - fluid_alone)) {}
 
   /// s
-  Real solid(Real phi) const { return std::max(Real(0), phi - fluid_alone) / (1 - fluid_alone); }
+  [[nodiscard]] Real solid(Real phi) const { return std::max(Real(0), phi - fluid_alone_) * slope_; }
   /// (1 - s) / (1 - phi), the factor of mu_f (g - phi g_s): at most 1 / (1 - fluid_alone).
-  Real fluid(Real phi) const { return 1 / (1 - std::min(phi, fluid_alone)); }
+  [[nodiscard]] Real fluid(Real phi) const { return 1 / (1 - std::min(phi, fluid_alone_)); }
+  [[nodiscard]] constexpr bool is_mean_by_volume() const { return fluid_alone_ == 0; }
+
+ private:
+  Real fluid_alone_, slope_;
 };
 
 /// s = phi.

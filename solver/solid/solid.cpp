@@ -7,7 +7,6 @@
 
 #include "solver/grid/cell_loop.hpp"
 #include "solver/parallel/reduce.hpp"
-#include "solver/solid/elastic_force.hpp"
 #include "solver/solid/reference_map/reference_map.hpp"
 #include "solver/solid/transported_b.hpp"
 
@@ -34,18 +33,16 @@ Solid::Solid(const SolidSpec& spec, const Grid& grid, const parallel::Decomposit
       grid_(grid),
       decomposition_(decomposition),
       formulation_(formulation_of(spec, grid, decomposition, halo)),
-      force_before_(grid, 0),
-      force_sum_(grid, 0) {
+      force_(spec.G, formulation_->interface_share(), grid) {
   const InterfaceShare share = formulation_->interface_share();
-  if (spec.viscosity_ratio != 1 || share.fluid_alone > 0)
+  if (spec.viscosity_ratio != 1 || !share.is_mean_by_volume())
     excess_viscosity_.emplace(spec.viscosity_ratio, formulation_->solid_from(), share, grid);
 }
 
 void Solid::start(Material& material) {
   if (material.formulation != spec_.formulation) throw std::logic_error("a material of another formulation");
   first_row_ = find_first_row(material);
-  formulation_->make_consistent(material, first_row_);
-  renew_force(material);
+  formulation_->make_consistent(material, first_row_, find_force(material));
 }
 
 // Rows that join the band bring old B and an old force with them. What a restart would do makes them new, so
@@ -59,19 +56,24 @@ int Solid::find_first_row(const Material& material) const {
   return std::max(0, static_cast<int>(lowest) - kMargin);
 }
 
-void Solid::renew_force(const Material& material) {
-  renew_elastic_force(material, spec_.G, interface_share(), grid_, first_row_, force_before_, force_sum_);
+PlaneReady Solid::find_force(const Material& material) {
+  return [&](int k) { force_.find(material, first_row_, k); };
 }
 
 void Solid::transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt) {
   if (excess_viscosity_) excess_viscosity_->renew(material, velocity, first_row_);
-  formulation_->transport(material, velocity, stage, dt, first_row_);
-  renew_force(material);
+  force_.keep();
+  formulation_->transport(material, velocity, stage, dt, first_row_, find_force(material));
 }
 
 SolidInput Solid::input(const Material& material) const {
-  const auto* excess = excess_viscosity_ ? &excess_viscosity_->force() : nullptr;
-  return {&material.phi, &force_sum_, first_row_, spec_.viscosity_ratio, excess, interface_share().fluid(1)};
+  SolidInput input{&material.phi, &force_.now(), &force_.before(), first_row_, spec_.viscosity_ratio};
+  if (excess_viscosity_) {
+    input.excess_viscous = &excess_viscosity_->force();
+    input.excess_end_row = excess_viscosity_->end_row();
+  }
+  input.interface_viscosity = interface_share().fluid(1);
+  return input;
 }
 
 std::vector<double> Solid::excess_shear_sums(const Material& material,

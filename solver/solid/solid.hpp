@@ -9,6 +9,7 @@
 #include "solver/grid/halo.hpp"
 #include "solver/grid/solid_input.hpp"
 #include "solver/grid/stage.hpp"
+#include "solver/solid/elastic_force.hpp"
 #include "solver/solid/excess_viscosity.hpp"
 #include "solver/solid/formulation.hpp"
 #include "solver/solid/material.hpp"
@@ -34,7 +35,8 @@ class Solid {
   /// finding the excess viscous force of that moment.
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt);
 
-  /// phi, the elastic force f^k + f^{k-1} and the excess viscous force of moment k-1 for the predictor.
+  /// phi, the elastic force of moments k and k-1 and the excess viscous force of moment k-1 for the
+  /// predictor.
   [[nodiscard]] SolidInput input(const Material& material) const;
 
   /// Sum over this rank's columns of the excess viscous shear stress over mu_f on xy edges, for each row 0 ..
@@ -53,7 +55,7 @@ class Solid {
   [[nodiscard]] InterfaceShare interface_share() const { return formulation_->interface_share(); }
 
  private:
-  void renew_force(const Material& material);
+  [[nodiscard]] PlaneReady find_force(const Material& material);
   [[nodiscard]] int find_first_row(const Material& material) const;
 
   SolidSpec spec_;
@@ -61,7 +63,7 @@ class Solid {
   const parallel::Decomposition& decomposition_;
   std::unique_ptr<Formulation> formulation_;
   std::optional<ExcessViscosity> excess_viscosity_;  ///< where the fluid's stress alone is not the whole
-  grid::VectorField force_before_, force_sum_;
+  ElasticForce force_;
   int first_row_ = 0;
 };
 

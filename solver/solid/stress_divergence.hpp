@@ -36,4 +36,21 @@ struct StressDivergence {
   }
 };
 
+/// The same of a stress that is nothing but shear across the rows: xy and yz.
+template <class Stress>
+struct ShearDivergence {
+  Stress s;
+  const Real* inv_dy;
+  Real inv_dx, inv_dz;
+
+  ShearDivergence(const Stress& stress, const grid::Grid& g)
+      : s(stress), inv_dy(g.inv_dy.data()), inv_dx(Real(1 / g.dx)), inv_dz(Real(1 / g.dz)) {}
+
+  Real x(int i, int j, int k) const { return (s.xy(i, j + 1, k) - s.xy(i, j, k)) * inv_dy[j]; }
+  Real y(int i, int j, int k) const {
+    return (s.xy(i + 1, j, k) - s.xy(i, j, k)) * inv_dx + (s.yz(i, j, k + 1) - s.yz(i, j, k)) * inv_dz;
+  }
+  Real z(int i, int j, int k) const { return (s.yz(i, j + 1, k) - s.yz(i, j, k)) * inv_dy[j]; }
+};
+
 }  // namespace softwall::solid

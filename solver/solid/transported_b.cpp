@@ -65,11 +65,11 @@ int TransportedB::lowest_row(const Material& material) {
 }
 
 void TransportedB::transport(Material& material, const grid::VectorField& velocity, const Stage& stage,
-                             double dt, int first_row) {
+                             double dt, int first_row, const PlaneReady& ready) {
   find_rates(material, velocity, first_row);
   if (fraction_) fraction_->advance(material.phi, velocity, stage, dt, first_row);
   update(material, stage, dt, first_row);
-  make_consistent(material, first_row);
+  make_consistent(material, first_row, ready);
 }
 
 void TransportedB::find_rates(const Material& m, const grid::VectorField& velocity, int first_row) {
@@ -120,9 +120,17 @@ void TransportedB::update(Material& m, const Stage& stage, double dt, int first_
   std::swap(now_, before_);
 }
 
-/// Ghost cells, skin, positive definiteness; each needs the one before it.
-void TransportedB::make_consistent(Material& m, int first_row) {
-  if (normal_) return surround(m);
+void TransportedB::make_consistent(Material& m, int first_row, const PlaneReady& ready) {
+  if (normal_) {
+    surround(m);
+  } else {
+    line(m, first_row);
+  }
+  for (int k = 0; k < grid_.nz; ++k) ready(k);
+}
+
+/// Of a layer: ghost cells, skin, positive definiteness; each needs the one before it.
+void TransportedB::line(Material& m, int first_row) {
   const grid::RowSpan span{std::max(-Material::kGhost, first_row - Material::kGhost),
                            grid_.ny + Material::kGhost};
   const auto band = grid::rows(grid_, first_row, grid_.ny);

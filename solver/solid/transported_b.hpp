@@ -21,9 +21,9 @@ class TransportedB : public Formulation {
                grid::Halo& halo);
 
   [[nodiscard]] int lowest_row(const Material& material) override;
-  void make_consistent(Material& material, int first_row) override;
+  void make_consistent(Material& material, int first_row, const PlaneReady& ready) override;
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
-                 int first_row) override;
+                 int first_row, const PlaneReady& ready) override;
   /// Where B is the solid's own, too. Around a body of any shape the local shear stands in for the solid's.
   [[nodiscard]] Real solid_from() const override { return normal_ ? Real(0) : Real(spec_.threshold); }
   /// The fluid's alone made a layer of 32 x 32 + 8 x 32 cells flutter (MTHINC, G = 1: v' 0.19 at the
@@ -39,6 +39,7 @@ class TransportedB : public Formulation {
   };
   void find_rates(const Material& material, const grid::VectorField& velocity, int first_row);
   void update(Material& material, const Stage& stage, double dt, int first_row);
+  void line(Material& material, int first_row);
   void surround(Material& material);
   void fill_beyond_walls(Material& material, int first_row) const;
 

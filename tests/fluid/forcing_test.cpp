@@ -45,7 +45,7 @@ TEST_P(Forcing, CountsOnlyTheFluidOfAnElasticChannel) {
   });
   d.halo.fill({&phi});
   const grid::VectorField force(d.grid, 0);
-  const SolidInput solid{&phi, &force, first_row, 1};
+  const SolidInput solid{&phi, &force, &force, first_row, 1};
   auto velocity = support::random_velocity(d, 3);
   static_cast<void>(hold_flow_rate(velocity, solid, 1.0, d.grid, d.decomposition));
   EXPECT_NEAR(bulk_velocity(d, velocity, phi), 1, 1e-14);
@@ -76,7 +76,7 @@ TEST_P(Forcing, IsKnownBeforeTheProjection) {
   d.halo.fill({&phi});
   const grid::VectorField force(d.grid, 0);
   const double duration = 0.02;
-  for (const SolidInput& solid : {SolidInput{}, SolidInput{&phi, &force, first_row, 1}}) {
+  for (const SolidInput& solid : {SolidInput{}, SolidInput{&phi, &force, &force, first_row, 1}}) {
     auto velocity = support::random_velocity(d, 3);
     grid::Field pressure(d.grid, 1);
     pressure::Projection projection(d.grid, d.decomposition, d.halo);

@@ -41,9 +41,9 @@ class Limiter : public testing::TestWithParam<double> {
     for (grid::Field* f : {&m.phi, &m.B.xx, &m.B.yy, &m.B.zz, &m.B.xz}) fluid::fill_ghosts(*f, d.halo);
     d.halo.fill({&m.B.xy, &m.B.yz}, {0, d.grid.ny + 1});
   }
-  grid::VectorField force_of(const Material& m) const {
-    grid::VectorField force(d.grid, 0), sum(d.grid, 0);
-    renew_elastic_force(m, 1.0, kMeanByVolume, d.grid, 0, force, sum);
+  ElasticForce force_of(const Material& m) const {
+    ElasticForce force(1.0, kMeanByVolume, d.grid);
+    force.find(m, 0);
     return force;
   }
 };
@@ -132,15 +132,15 @@ TEST_P(Limiter, MovesNothing) {
     return all;
   };
   const auto force_before = force_of(m);
-  const auto free = project(force_before);
+  const auto free = project(force_before.now());
   ASSERT_GT(keep_positive_definite(m.B, kFloor, grid::all_cells(g)), 0);
   fill_ghosts(m);
   const auto force_after = force_of(m);
-  const double changed =
-      support::largest_difference(support::global_values(force_before.x, g, g.ny, d.decomposition.all()),
-                                  support::global_values(force_after.x, g, g.ny, d.decomposition.all()));
+  const double changed = support::largest_difference(
+      support::global_values(force_before.now().x, g, g.ny, d.decomposition.all()),
+      support::global_values(force_after.now().x, g, g.ny, d.decomposition.all()));
   EXPECT_GT(changed, 0.1);  // the force itself does change
-  EXPECT_LT(support::largest_difference(project(force_after), free),
+  EXPECT_LT(support::largest_difference(project(force_after.now()), free),
             support::round_off(4000) * support::largest(free));
 }
 

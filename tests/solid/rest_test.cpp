@@ -34,10 +34,12 @@ void expect_rest(SolidFormulation formulation, double viscosity_ratio, double st
   expect_exactly(s.velocity.x, g, g.ny, zero);
   expect_exactly(s.velocity.y, g, g.ny + 1, zero);
   expect_exactly(s.velocity.z, g, g.ny, zero);
-  const auto force = setup.solid->input(s.material).force;
-  expect_exactly(force->x, g, g.ny, zero);
-  expect_exactly(force->y, g, g.ny, zero);
-  expect_exactly(force->z, g, g.ny, zero);
+  const SolidInput solid = setup.solid->input(s.material);
+  for (const auto* force : {solid.force_now, solid.force_before}) {
+    expect_exactly(force->x, g, g.ny, zero);
+    expect_exactly(force->y, g, g.ny, zero);
+    expect_exactly(force->z, g, g.ny, zero);
+  }
   expect_exactly(s.material.phi, g, g.ny, [&](int j) { return j < g.ny_fluid ? 0.0 : 1.0; });
   for (const grid::Field* shear : {&s.material.B.xy, &s.material.B.xz, &s.material.B.yz})
     expect_exactly(*shear, g, g.ny, zero);

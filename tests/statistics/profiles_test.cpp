@@ -71,11 +71,11 @@ TEST(Profiles, StressesAreTheFluxesOfTheMomentumEquation) {
     const auto s = rough_state(setup);
     const auto& g = setup.grid;
     const auto m = support::momentum_input(s.velocity, g, setup.viscosity);
-    grid::VectorField force(g, 0), unused(g, 0);
     solid::ExcessViscosity excess(s.elastic ? physics.solid->viscosity_ratio : 1, 0.9, solid::kMeanByVolume,
                                   g);
+    solid::ElasticForce elastic(s.elastic ? physics.solid->G : 0, solid::kMeanByVolume, g);
     if (s.elastic) {
-      solid::renew_elastic_force(s.material, physics.solid->G, solid::kMeanByVolume, g, 0, force, unused);
+      elastic.find(s.material, 0);
       excess.renew(s.material, s.velocity, 0);
     }
     const auto means = plane_means(s, setup);
@@ -84,7 +84,7 @@ TEST(Profiles, StressesAreTheFluxesOfTheMomentumEquation) {
     };
     for (int j = 0; j < g.ny; ++j) {
       const double rate = row_mean(setup, j, [&](int i, int row, int k) {
-        return fluid::momentum_x(m, i, row, k) + force.x(i, row, k) +
+        return fluid::momentum_x(m, i, row, k) + elastic.now().x(i, row, k) +
                setup.viscosity * excess.force().x(i, row, k);
       });
       EXPECT_NEAR((total(j + 1) - total(j)) * g.inv_dy[j], rate, 1e-11) << j;

@@ -39,10 +39,10 @@ int ReferenceMap::lowest_row(const Material& m) {
 }
 
 void ReferenceMap::transport(Material& m, const grid::VectorField& velocity, const Stage& stage, double dt,
-                             int first_row) {
+                             int first_row, const PlaneReady& ready) {
   advance(m, velocity, stage, dt, first_row);
   extend_below_surface(m, first_row);
-  make_consistent(m, first_row);
+  make_consistent(m, first_row, ready);
 }
 
 /// A plane is updated as soon as no other one's rates read it: in one sweep, while it is in the cache.
@@ -80,13 +80,14 @@ void ReferenceMap::extend_below_surface(Material& m, int first_row) {
   extrapolation_.extend(own_heights_, lowest, d);
 }
 
-void ReferenceMap::make_consistent(Material& m, int first_row) {
+void ReferenceMap::make_consistent(Material& m, int first_row, const PlaneReady& ready) {
   const grid::RowSpan span{first_row > kGhost ? first_row - kGhost : -kGhost, grid_.ny + kGhost};
   fill_beyond_walls(m.displacement, first_row);
   halo_.fill({&m.displacement.x, &m.displacement.y, &m.displacement.z}, span);
   wide_heights_.find(m.displacement.y, m.surface_at_rest);
   fractions_.fill(wide_heights_, first_row, m.phi);
-  find_strain(m, first_row);
+  continue_fraction(m, first_row);
+  find_strain(m, first_row, ready);
 }
 
 /// Odd about a wall for the components along it; even for d_y, whose first derivative vanishes there with the
@@ -111,19 +112,23 @@ void ReferenceMap::fill_beyond_walls(grid::VectorField& d, int first_row) const 
   }
 }
 
-void ReferenceMap::find_strain(Material& m, int first_row) {
+/// Beyond the walls as in the row at the wall.
+void ReferenceMap::continue_fraction(Material& m, int first_row) const {
   const Grid& g = grid_;
-  const Real least_volume = strain_.run(strain_of(m.displacement, g), first_row,
-                                        {m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(),
-                                         m.B.xz.view(), m.B.yz.view(), volume_.view()});
-  if (least_volume < kLeastVolume) limited_cells_ += count_torn_cells(m.phi, first_row);
   const auto phi = m.phi.view();
   const auto around = [&](int j) { return grid::Box{-1, g.nx + 1, j, j + 1, -1, g.nz + 1}; };
   const int top = g.ny - 1;
   grid::for_each_cell(around(g.ny), [=](int i, int j, int k) { phi(i, j, k) = phi(i, top, k); });
-  if (first_row == 0) {
-    grid::for_each_cell(around(-1), [=](int i, int j, int k) { phi(i, j, k) = phi(i, 0, k); });
-  }
+  if (first_row > 0) return;
+  grid::for_each_cell(around(-1), [=](int i, int j, int k) { phi(i, j, k) = phi(i, 0, k); });
+}
+
+void ReferenceMap::find_strain(Material& m, int first_row, const PlaneReady& ready) {
+  const Real least_volume = strain_.run(strain_of(m.displacement, grid_), first_row,
+                                        {m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(),
+                                         m.B.xz.view(), m.B.yz.view(), volume_.view()},
+                                        ready);
+  if (least_volume < kLeastVolume) limited_cells_ += count_torn_cells(m.phi, first_row);
 }
 
 std::int64_t ReferenceMap::count_torn_cells(const grid::Field& fraction, int first_row) const {

@@ -21,9 +21,9 @@ class ReferenceMap : public Formulation {
   ReferenceMap(WenoWeights weights, const Grid& grid, grid::Halo& halo);
 
   [[nodiscard]] int lowest_row(const Material& material) override;
-  void make_consistent(Material& material, int first_row) override;
+  void make_consistent(Material& material, int first_row, const PlaneReady& ready) override;
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
-                 int first_row) override;
+                 int first_row, const PlaneReady& ready) override;
   /// Under a flat surface: both rows whose difference it takes have their centers in the solid.
   [[nodiscard]] Real solid_from() const override { return Real(0.75); }
   [[nodiscard]] InterfaceShare interface_share() const override { return kFluidAtInterface; }
@@ -36,7 +36,8 @@ class ReferenceMap : public Formulation {
   void update(grid::VectorField& displacement, const Stage& stage, double dt, const RowsOfAPlane& rows);
   void extend_below_surface(Material& material, int first_row);
   void fill_beyond_walls(grid::VectorField& displacement, int first_row) const;
-  void find_strain(Material& material, int first_row);
+  void find_strain(Material& material, int first_row, const PlaneReady& ready);
+  void continue_fraction(Material& material, int first_row) const;
   [[nodiscard]] std::int64_t count_torn_cells(const grid::Field& phi, int first_row) const;
 
   const Grid& grid_;

@@ -42,7 +42,7 @@ StrainSweep::StrainSweep(const Grid& g) : nx_(g.nx), ny_(g.ny), nz_(g.nz) {
   }
 }
 
-Real StrainSweep::run(const Strain& strain, int first_row, const StrainFields& to) {
+Real StrainSweep::run(const Strain& strain, int first_row, const StrainFields& to, const PlaneReady& ready) {
   Real least = 1;
   for (int k = -1; k <= nz_; ++k) {
     average(below_, strain, first_row - 1, k);
@@ -59,6 +59,7 @@ Real StrainSweep::run(const Strain& strain, int first_row, const StrainFields& t
       edges_xz(strain, j, k, to.xz);
       std::swap(low_, high_);
     }
+    if (k > 0) ready(k - 1);
   }
   return least;
 }

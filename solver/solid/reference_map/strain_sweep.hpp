@@ -3,6 +3,7 @@
 #include <array>
 
 #include "solver/parallel/line_memory.hpp"
+#include "solver/solid/formulation.hpp"
 #include "solver/solid/reference_map/strain.hpp"
 
 /// B and det A of strain.hpp in a whole band of rows, with the gradients that neighbouring places share
@@ -23,8 +24,9 @@ class StrainSweep {
   explicit StrainSweep(const Grid& grid);
 
   /// Rows first_row <= j < ny, xy and yz edges on the upper wall, too; one column more on every side. Returns
-  /// the smallest det A in this rank's columns, or 1 if all are larger.
-  Real run(const Strain& strain, int first_row, const StrainFields& to);
+  /// the smallest det A in this rank's columns, or 1 if all are larger. ready: when the next plane is found,
+  /// too.
+  Real run(const Strain& strain, int first_row, const StrainFields& to, const PlaneReady& ready);
 
  private:
   /// Number i of this rank's cells at [i + 1]: loops begin at the ghost column -1.

@@ -31,11 +31,11 @@ using VelocityAt = std::function<const grid::VectorField&(double)>;
 /// Moves the material through time T in n steps; velocity(t) gives the field at the start of each substep.
 void carry(ReferenceMap& map, Material& m, double T, int n, const VelocityAt& velocity_at) {
   const double dt = T / n;
-  map.make_consistent(m, 0);
+  map.make_consistent(m, 0, [](int) {});
   for (int step = 0; step < n; ++step) {
     double t = step * dt;
     for (const Stage& stage : kRungeKutta3) {
-      map.transport(m, velocity_at(t), stage, dt, 0);
+      map.transport(m, velocity_at(t), stage, dt, 0, [](int) {});
       t += 2 * stage.alpha * dt;
     }
   }

@@ -46,11 +46,11 @@ std::pair<Volume, Volume> left_alone(Domain& d, const Displacement& displacement
     volume.height = g.height - depth;
     return volume;
   };
-  map.make_consistent(m, 0);
+  map.make_consistent(m, 0, [](int) {});
   const Volume before = look();
   const double dt = 0.01;
   for (int step = 0; step < T / dt; ++step) {
-    for (const Stage& stage : kRungeKutta3) map.transport(m, still, stage, dt, 0);
+    for (const Stage& stage : kRungeKutta3) map.transport(m, still, stage, dt, 0, [](int) {});
   }
   return {before, look()};
 }
