@@ -76,6 +76,10 @@ void write_atomically(const std::filesystem::path& file, std::string_view conten
   if (synced) sync_directory(folder_of(file));
 }
 
+void begin_write_out(int descriptor) {
+  static_cast<void>(::sync_file_range(descriptor, 0, 0 /* to its end */, SYNC_FILE_RANGE_WRITE));
+}
+
 void publish_file(const std::filesystem::path& temporary, const std::filesystem::path& file) {
   const FileDescriptor descriptor(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
   if (!descriptor) fail("open", temporary);

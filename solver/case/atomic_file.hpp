@@ -20,6 +20,10 @@ void write_atomically(const std::filesystem::path& file, std::string_view conten
 /// `file`, fsync the folder. Both must lie in one folder.
 void publish_file(const std::filesystem::path& temporary, const std::filesystem::path& file);
 
+/// Asks the kernel to begin writing out what it holds of an open file, and does not wait: a later fsync has
+/// less to wait for. No more than a hint, so that failing is no error.
+void begin_write_out(int descriptor);
+
 /// fsync a folder, so that creations, renames and removals in it survive a power loss.
 void sync_directory(const std::filesystem::path& directory);
 

@@ -1,10 +1,13 @@
 #include "solver/output/parallel_file.hpp"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <vector>
 
+#include "solver/case/atomic_file.hpp"
 #include "solver/output/agree.hpp"
 
 namespace softwall::output {
@@ -86,6 +89,7 @@ ParallelFile::ParallelFile(std::filesystem::path path, const parallel::Communica
     file_ = create_file(path_, all_.get(), user_block);
     collective_.emplace(property_list(H5P_DATASET_XFER));
     must(H5Pset_dxpl_mpio(collective_->get(), H5FD_MPIO_COLLECTIVE), "cannot choose collective writes");
+    on_disk_ = FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CLOEXEC));
   });
 }
 
@@ -130,6 +134,7 @@ void ParallelFile::write_field(const Label& label, const grid::Field& field, int
                             {size(g.nz), size(rows), size(g.nx)}};
   write(label, sizeof(grid::Real) == sizeof(float) ? H5T_IEEE_F32LE : H5T_IEEE_F64LE, selection,
         packed(field, rows).data());
+  begin_write_out(on_disk_.get());  // while the next field is packed, and the digest found
 }
 
 void ParallelFile::write_values(const Label& label, std::span<const double> values) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "analysis/hdf5_image.hpp"
+#include "solver/case/file_descriptor.hpp"
 #include "solver/grid/field.hpp"
 #include "solver/parallel/mpi.hpp"
 
@@ -48,6 +49,7 @@ class ParallelFile {
   const parallel::Communicator& all_;
   hid_t file_ = H5I_INVALID_HID;                ///< no owner type on purpose: only close() may close it
   std::optional<analysis::Hdf5Id> collective_;  ///< transfer property list
+  FileDescriptor on_disk_;                      ///< the same file, for begin_write_out()
 };
 
 /// To be called once before any other use of HDF5: nothing is closed behind our back at exit, no error stack
