@@ -37,8 +37,8 @@ TEST(Stability, ViscosityFollowsTheSmallestCellAndTheSolid) {
   EXPECT_NEAR(viscosity_limit(0.01, {}, g), limit(0.01, 0), 1e-12);
   const grid::Field phi(g, 1);
   const grid::VectorField force(g, 0);
-  EXPECT_NEAR(viscosity_limit(0.01, {&phi, &force, 4, 10}, g), limit(0.1, 5), 1e-12);
-  EXPECT_NEAR(viscosity_limit(0.01, {&phi, &force, 4, 0.1}, g), limit(0.01, 0),
+  EXPECT_NEAR(viscosity_limit(0.01, {&phi, &force, &force, 4, 10}, g), limit(0.1, 5), 1e-12);
+  EXPECT_NEAR(viscosity_limit(0.01, {&phi, &force, &force, 4, 0.1}, g), limit(0.01, 0),
               1e-12);  // fluid lives there too
 }
 
