@@ -3,14 +3,12 @@
 Lengths in the side of the box, velocities in that of the lid; a rotation turns once in a unit of time.
 """
 
-import json
-import pathlib
 import sys
 
 import h5py
 import numpy as np
 
-from campaign_data import plt
+from campaign_data import SeriesCase, plt, read_series_campaign
 
 LEVEL = 0.5
 
@@ -33,18 +31,10 @@ class Snapshot:
         return lines
 
 
-class BoxCase:
+class BoxCase(SeriesCase):
     def __init__(self, directory):
-        self.directory = directory
-        self.physics = json.loads((directory / "case.json").read_text())["physics"]
-        self.cells = self.physics["grid"]["nx"]
+        super().__init__(directory)
         self.files = sorted((directory / "fields").glob("fields-*.h5"))
-        self.t, self.series = np.array([]), {}
-        statistics = directory / "statistics.h5"
-        if statistics.exists():
-            with h5py.File(statistics) as file:
-                self.t = file["blocks/start"][:] + 0.5 * (file["blocks/end"][:] - file["blocks/start"][:])
-                self.series = {name: values[:] for name, values in file["series"].items()}
 
     def snapshots(self):
         return [Snapshot(file) for file in self.files]
@@ -55,13 +45,7 @@ class BoxCase:
 
 def read_box_campaign(folder, flow):
     """All cases of this flow with at least two snapshots, coarsest first; a damaged one is left out by name."""
-    cases = []
-    for file in sorted(pathlib.Path(folder).glob("cases/*/case.json")):
-        try:
-            cases.append(BoxCase(file.parent))
-        except (OSError, KeyError, ValueError) as error:
-            print(f"left out {file.parent}: {error}", file=sys.stderr)
-    cases = [case for case in cases if case.physics["flow"] == flow and len(case.files) >= 2]
+    cases = [case for case in read_series_campaign(folder, flow, BoxCase) if len(case.files) >= 2]
     if not cases:
         sys.exit(f"no {flow} in {folder} has left snapshots yet; run the campaign first")
-    return sorted(cases, key=lambda case: case.cells)
+    return cases

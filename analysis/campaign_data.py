@@ -102,6 +102,32 @@ class Case:
         return math.nan if value is None else value
 
 
+class SeriesCase:
+    """One run directory of which the series are all there is: a closed box, an interface wave."""
+
+    def __init__(self, directory):
+        self.directory = directory
+        self.physics = json.loads((directory / "case.json").read_text())["physics"]
+        self.cells = self.physics["grid"]["nx"]
+        self.t, self.series = np.array([]), {}
+        statistics = directory / "statistics.h5"
+        if statistics.exists():
+            with h5py.File(statistics) as file:
+                self.t = file["blocks/start"][:] + 0.5 * (file["blocks/end"][:] - file["blocks/start"][:])
+                self.series = {name: values[:] for name, values in file["series"].items()}
+
+
+def read_series_campaign(folder, flow, kind=SeriesCase):
+    """All cases of this flow, coarsest first; a damaged one is left out by name."""
+    cases = []
+    for file in sorted(pathlib.Path(folder).glob("cases/*/case.json")):
+        try:
+            cases.append(kind(file.parent))
+        except (OSError, KeyError, ValueError) as error:
+            print(f"left out {file.parent}: {error}", file=sys.stderr)
+    return sorted((case for case in cases if case.physics["flow"] == flow), key=lambda case: case.cells)
+
+
 def _read_results(campaign):
     """Everything measured, by run directory and name, intervals as NAME_ci95; empty without a store."""
     store = campaign / "results.db"

@@ -176,11 +176,11 @@ void refuse(const BlockStatistics& s, const std::vector<double>& weights) {
   }
 }
 
-/// A closed box leaves series only, and none of a wall.
+/// A closed box or a wave leaves series only, and none of a wall.
 DerivedQuantities not_a_channel(const BlockStatistics& s, const std::vector<double>& weights) {
   DerivedQuantities derived;
   describe_window(s, weights, derived);
-  derived.note = "not a channel: its series are in statistics.h5";
+  derived.note = "not a channel flow: its series are in statistics.h5";
   return derived;
 }
 

@@ -72,9 +72,9 @@ struct DeriveOptions {
 };
 
 /// All of the above from the blocks of one case. Statistics without profiles and wall shear are those of a
-/// closed box, of which only the window is described. A quantity that cannot be had (no log range, no
-/// interface in the file) is NaN and the note says why. Throws std::runtime_error when nothing at all can be
-/// derived: no block in the window, inconsistent statistics, or a required profile or series missing (u;
+/// closed box or a wave, of which only the window is described. A quantity that cannot be had (no log range,
+/// no interface in the file) is NaN and the note says why. Throws std::runtime_error when nothing at all can
+/// be derived: no block in the window, inconsistent statistics, or a required profile or series missing (u;
 /// driving_gradient, wall_shear_bottom).
 [[nodiscard]] DerivedQuantities derive(const BlockStatistics& statistics, const DeriveOptions& options = {});
 

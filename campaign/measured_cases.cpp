@@ -15,7 +15,7 @@ constexpr std::size_t kMostCharacters = 16;  // what keeps the widest table on i
 constexpr std::string_view kCases = R"sql(
 SELECT r.label, r.state, r.stale_reason, r.note, r.grid, r.G, r.viscosity_ratio, r.reynolds,
   iif(c.flow = 'rigid_channel', 0.0, json_extract(c.physics, '$.domain.layer_height')),
-  r.window_start, r.window_end, r.end_time, r.case_id
+  r.window_start, r.window_end, r.end_time, r.case_id, c.flow
 FROM results r JOIN cases c ON c.case_id = r.case_id
 WHERE r.in_campaign = 1
 ORDER BY r.G IS NOT NULL, r.viscosity_ratio = 1 DESC, r.viscosity_ratio, r.G DESC, r.case_id
@@ -62,6 +62,7 @@ std::vector<MeasuredCase> measured_cases(Connection& store) {
     found.window_start = rows.optional_real(9);
     found.window_end = rows.optional_real(10);
     found.end_time = rows.real(11);
+    found.flow = rows.text(13);
     read_values(store, rows.text(12), found);
     cases.push_back(std::move(found));
   }

@@ -61,9 +61,10 @@ bool is_same(std::optional<double> a, std::optional<double> b) {
   return std::abs(*a - *b) <= kSameParameter * std::abs(*b);
 }
 
-/// The paper has one Reynolds number and one layer; other cases have no counterpart in it.
+/// The paper has channels of one Reynolds number and one layer; other cases have no counterpart in it.
 bool is_comparable(const MeasuredCase& measured) {
-  return is_same(measured.reynolds, kPaperReynolds) &&
+  const bool is_channel = measured.flow == "rigid_channel" || measured.flow == "elastic_wall";
+  return is_channel && is_same(measured.reynolds, kPaperReynolds) &&
          (!measured.g || is_same(measured.layer_height, kPaperLayerHeight));
 }
 

@@ -24,7 +24,7 @@ CREATE TABLE cases (
   directory        TEXT NOT NULL,               -- [-] run directory, relative to the campaign directory
   is_precursor     INTEGER NOT NULL CHECK (is_precursor IN (0, 1)), -- [-] 1: its last checkpoint starts the others
   precursor_id     TEXT,                        -- [-] case_id of the case that this one starts from
-  flow             TEXT NOT NULL,               -- [-] rigid_channel, elastic_wall, cavity or rotation
+  flow             TEXT NOT NULL,               -- [-] rigid_channel, elastic_wall, cavity, rotation, interface_wave
   G                REAL,                        -- [rho U_b^2] modulus of transverse elasticity; NULL without a solid
   viscosity_ratio  REAL,                        -- [-] solid over fluid viscosity; NULL without a solid
   reynolds         REAL NOT NULL,               -- [-] bulk Reynolds number U_b h / nu

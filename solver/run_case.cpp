@@ -52,6 +52,8 @@ const char* words_for(FlowType flow) {
       return "cavity";
     case FlowType::kRotation:
       return "rotation";
+    case FlowType::kInterfaceWave:
+      return "interface wave";
   }
   return "";
 }

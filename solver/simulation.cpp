@@ -20,6 +20,7 @@
 #include "solver/stop_request.hpp"
 #include "solver/time/closed_box.hpp"
 #include "solver/time/initial.hpp"
+#include "solver/time/interface_wave.hpp"
 
 namespace softwall {
 
@@ -60,6 +61,9 @@ void Simulation::start_or_resume() {
   } else if (is_closed_box(case_.physics.flow)) {
     state_ = time::closed_box_at_start(setup_);
     say(setup_.velocity_prescribed ? "starts in rotation" : "starts from rest");
+  } else if (case_.physics.flow == FlowType::kInterfaceWave) {
+    state_ = time::interface_wave_at_start(setup_);
+    say("starts as a wave of linear theory");
   } else {
     state_ = time::perturbed_laminar(setup_);
     say("starts from a perturbed laminar flow");
@@ -203,9 +207,9 @@ double re_tau(const time::State& state, const time::Setup& setup) {
   return setup.physics.reynolds * std::sqrt(setup.viscosity * std::abs(shear));
 }
 
-/// What only a channel has.
+/// What only a driven channel has.
 std::string driving_and_drag(const time::State& state, const time::Setup& setup) {
-  if (is_closed_box(setup.physics.flow)) return "";
+  if (!is_driven_channel(setup.physics.flow)) return "";
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "  P %.4e  Re_tau %.1f", state.driving_gradient,
                 re_tau(state, setup));

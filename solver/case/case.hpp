@@ -12,11 +12,17 @@
 /// U_b, density rho.
 namespace softwall {
 
-enum class FlowType { kRigidChannel, kElasticWall, kCavity, kRotation };
+enum class FlowType { kRigidChannel, kElasticWall, kCavity, kRotation, kInterfaceWave };
 
 /// Between walls at both ends of x and y, driven by one of them or not at all; otherwise a channel.
 [[nodiscard]] constexpr bool is_closed_box(FlowType flow) {
   return flow == FlowType::kCavity || flow == FlowType::kRotation;
+}
+
+/// Driven by a pressure gradient that holds its flow rate; what its statistics describe is a turbulent
+/// channel.
+[[nodiscard]] constexpr bool is_driven_channel(FlowType flow) {
+  return flow == FlowType::kRigidChannel || flow == FlowType::kElasticWall;
 }
 
 enum class InitialType { kPerturbedLaminar, kPrecursor };
@@ -54,6 +60,12 @@ struct SolidSpec {
   std::optional<DiscSpec> disc = std::nullopt;  ///< initial shape in a closed box; absent: the layer on y > 2
 };
 
+/// The mode of linear theory (interface_mode.hpp) that an interface wave starts as.
+struct WaveSpec {
+  double decay = 0.0, frequency = 0.0;  ///< its rate is -decay + i frequency, U_b / h
+  double displacement = 0.0;            ///< of the crest of the interface, h
+};
+
 struct TimeStepSpec {
   std::optional<double> fixed_dt;  ///< when absent: adaptive
   double safety = 0.0;             ///< fraction of the stability limits
@@ -83,6 +95,7 @@ struct Physics {
   GridSpec grid;
   Precision precision = Precision::kDouble;  ///< of the fields
   std::optional<SolidSpec> solid;            ///< present with an elastic wall or a disc
+  std::optional<WaveSpec> wave;              ///< of an interface wave
   TimeStepSpec time_step;
   InitialSpec initial;
   StatisticsSpec statistics;

@@ -1,10 +1,14 @@
 #include "solver/case/case_checks.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <nlohmann/json.hpp>
+
 #include <optional>
 #include <string>
 
+#include "solver/case/interface_mode.hpp"
 #include "solver/case/wall_normal_grid.hpp"
 
 namespace softwall {
@@ -61,7 +65,7 @@ void check_layer_cells(const SoundMembers& members, std::vector<Mistake>& mistak
 }
 
 /// What only a closed box has.
-void check_channel(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
+void check_no_box(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
   if (const auto height = members.get<double>("/physics/domain/height"); height && *height != 2.0)
     mistakes.push_back({"/physics/domain/height", std::to_string(*height), "must be 2 in a channel"});
   if (members.get<std::string>("/physics/time_step/viscosity") == "implicit")
@@ -70,11 +74,13 @@ void check_channel(const SoundMembers& members, const json& filled, std::vector<
     mistakes.push_back({"/physics/solid/disc", "given", "only a closed box holds one: leave it out"});
 }
 
-void check_elastic(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
-  check_channel(members, filled, mistakes);
+/// An elastic layer on the upper wall.
+void check_layer(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
+  check_no_box(members, filled, mistakes);
   if (!filled.contains(json::json_pointer("/physics/solid")))
-    mistakes.push_back(
-        {"/physics/solid", "missing", "flow \"elastic_wall\" needs an object with at least G"});
+    mistakes.push_back({"/physics/solid", "missing",
+                        "flow \"" + members.get<std::string>("/physics/flow").value_or("") +
+                            "\" needs an object with at least G"});
   if (members.get<std::string>("/physics/solid/interface") == "mthinc" &&
       members.get<std::string>("/physics/solid/formulation") == "reference_map")
     mistakes.push_back({"/physics/solid/interface", "mthinc",
@@ -82,8 +88,56 @@ void check_elastic(const SoundMembers& members, const json& filled, std::vector<
   check_layer_cells(members, mistakes);
 }
 
+/// The layers of an interface wave, where all that describes them is in order.
+std::optional<WaveLayers> layers_of(const SoundMembers& members) {
+  const auto reynolds = members.get<double>("/physics/reynolds");
+  const auto length = members.get<double>("/physics/domain/length_x");
+  const auto thickness = members.get<double>("/physics/domain/layer_height");
+  const auto G = members.get<double>("/physics/solid/G");
+  const auto ratio = members.get<double>("/physics/solid/viscosity_ratio");
+  if (!reynolds || !length || !thickness || !G || !ratio) return std::nullopt;
+  return wave_layers(*reynolds, *length, *thickness, *G, *ratio);
+}
+
+std::string wave_text(InterfaceMode::Complex rate) {
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "decay %.10g, frequency %.10g", -rate.real(), rate.imag());
+  return text.data();
+}
+
+/// The rate must be one of these layers: the mode of another would not turn and decay as it says.
+void check_wave_rate(const SoundMembers& members, std::vector<Mistake>& mistakes) {
+  constexpr double kTolerance = 1e-6;
+  const auto layers = layers_of(members);
+  const auto decay = members.get<double>("/physics/wave/decay");
+  const auto frequency = members.get<double>("/physics/wave/frequency");
+  if (!layers || !decay || !frequency) return;
+  const InterfaceMode::Complex given(-*decay, *frequency);
+  const auto rate = nearest_rate(*layers, given);
+  const bool is_wave = rate && -rate->real() > 0 && rate->imag() > 0;
+  if (is_wave && std::abs(*rate - given) <= kTolerance * std::abs(given)) return;
+  mistakes.push_back({"/physics/wave", wave_text(given),
+                      "not the rate of a wave of these layers to six digits" +
+                          (is_wave ? "; the nearest one found: " + wave_text(*rate) : std::string())});
+}
+
+void check_interface_wave(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
+  check_layer(members, filled, mistakes);
+  if (!filled.contains(json::json_pointer("/physics/wave")))
+    mistakes.push_back(
+        {"/physics/wave", "missing", "flow \"interface_wave\" needs an object with decay and frequency"});
+  if (members.get<std::string>("/physics/initial/type") == "precursor")
+    mistakes.push_back({"/physics/initial/type", "precursor", "an interface wave starts by itself"});
+  check_wave_rate(members, mistakes);
+}
+
+void check_no_wave(const json& filled, std::vector<Mistake>& mistakes) {
+  if (filled.contains(json::json_pointer("/physics/wave")))
+    mistakes.push_back({"/physics/wave", "given", "only flow \"interface_wave\" has one: leave it out"});
+}
+
 void check_rigid(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
-  check_channel(members, filled, mistakes);
+  check_no_box(members, filled, mistakes);
   if (filled.contains(json::json_pointer("/physics/solid")))
     mistakes.push_back({"/physics/solid", "given", "flow \"rigid_channel\" has none: leave it out"});
   const auto ny_solid = members.get<int>("/physics/grid/ny_solid");
@@ -144,7 +198,9 @@ std::vector<Mistake> case_cross_checks(const json& filled, const std::vector<Mis
   const SoundMembers members(filled, known);
   std::vector<Mistake> mistakes;
   const auto flow = members.get<std::string>("/physics/flow");
-  if (flow == "elastic_wall") check_elastic(members, filled, mistakes);
+  if (flow == "elastic_wall") check_layer(members, filled, mistakes);
+  if (flow == "interface_wave") check_interface_wave(members, filled, mistakes);
+  if (flow && flow != "interface_wave") check_no_wave(filled, mistakes);
   if (flow == "rigid_channel") check_rigid(members, filled, mistakes);
   if (flow == "cavity" || flow == "rotation") check_closed_box(members, filled, mistakes);
   check_initial(members, mistakes);

@@ -19,7 +19,8 @@ using Names = std::pair<Enum, const char*>[kCount];
 constexpr std::pair<FlowType, const char*> kFlowNames[] = {{FlowType::kRigidChannel, "rigid_channel"},
                                                            {FlowType::kElasticWall, "elastic_wall"},
                                                            {FlowType::kCavity, "cavity"},
-                                                           {FlowType::kRotation, "rotation"}};
+                                                           {FlowType::kRotation, "rotation"},
+                                                           {FlowType::kInterfaceWave, "interface_wave"}};
 constexpr std::pair<InitialType, const char*> kInitialNames[] = {
     {InitialType::kPerturbedLaminar, "perturbed_laminar"}, {InitialType::kPrecursor, "precursor"}};
 constexpr std::pair<SolidFormulation, const char*> kFormulationNames[] = {
@@ -71,6 +72,10 @@ SolidSpec solid_from(const json& solid) {
   return spec;
 }
 
+WaveSpec wave_from(const json& wave) {
+  return {wave.at("decay"), wave.at("frequency"), wave.at("displacement")};
+}
+
 TimeStepSpec time_step_from(const json& time_step) {
   TimeStepSpec spec;
   if (time_step.contains("fixed_dt")) spec.fixed_dt = time_step.at("fixed_dt").get<double>();
@@ -100,6 +105,7 @@ Physics physics_from(const json& physics) {
   result.grid = grid_from(physics.at("grid"));
   result.precision = named(physics.at("precision"), kPrecisionNames);
   if (physics.contains("solid")) result.solid = solid_from(physics.at("solid"));
+  if (physics.contains("wave")) result.wave = wave_from(physics.at("wave"));
   result.time_step = time_step_from(physics.at("time_step"));
   result.initial = initial_from(physics.at("initial"));
   result.statistics = statistics_from(physics.at("statistics"));
@@ -146,6 +152,10 @@ json to_json(const SolidSpec& solid) {
   return result;
 }
 
+json to_json(const WaveSpec& wave) {
+  return {{"decay", wave.decay}, {"frequency", wave.frequency}, {"displacement", wave.displacement}};
+}
+
 json to_json(const TimeStepSpec& time_step) {
   json result = {{"safety", time_step.safety}, {"viscosity", name_of(time_step.viscosity, kViscousNames)}};
   if (time_step.fixed_dt) result["fixed_dt"] = *time_step.fixed_dt;
@@ -180,6 +190,7 @@ json to_json(const Physics& physics) {
                  {"initial", to_json(physics.initial)},
                  {"statistics", to_json(physics.statistics)}};
   if (physics.solid) result["solid"] = to_json(*physics.solid);
+  if (physics.wave) result["wave"] = to_json(*physics.wave);
   return result;
 }
 

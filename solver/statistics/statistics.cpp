@@ -6,6 +6,7 @@
 #include "solver/statistics/box_series.hpp"
 #include "solver/statistics/profiles.hpp"
 #include "solver/statistics/series.hpp"
+#include "solver/statistics/wave_series.hpp"
 
 namespace softwall::statistics {
 
@@ -13,11 +14,13 @@ namespace {
 
 bool elastic(const time::Setup& setup) { return setup.solid.has_value(); }
 
-/// A closed box has no plane means: no direction in it is statistically uniform.
-bool has_profiles(const time::Setup& setup) { return !is_closed_box(setup.physics.flow); }
+/// Only a driven channel has plane means: no direction in a closed box is statistically uniform, and the mean
+/// of a wave is zero.
+bool has_profiles(const time::Setup& setup) { return is_driven_channel(setup.physics.flow); }
 
 std::span<const SeriesKind> series_of(const time::Setup& setup) {
-  return has_profiles(setup) ? series_kinds(elastic(setup)) : box_series_kinds(elastic(setup));
+  if (has_profiles(setup)) return series_kinds(elastic(setup));
+  return is_closed_box(setup.physics.flow) ? box_series_kinds(elastic(setup)) : wave_series_kinds();
 }
 
 Blocks empty_blocks(const time::Setup& setup) {
@@ -90,7 +93,9 @@ void Statistics::sample_step(const time::State& s, double dt) {
 
 void Statistics::sample_fields(const time::State& s, double weight) {
   if (!has_profiles(setup_)) {
-    blocks_.add_sample(s.time, weight, {}, box_series_sample(s, setup_));
+    const bool box = is_closed_box(setup_.physics.flow);
+    blocks_.add_sample(s.time, weight, {},
+                       box ? box_series_sample(s, setup_) : wave_series_sample(s, setup_));
     return;
   }
   const PlaneMeans means = plane_means(s, setup_);

@@ -4,9 +4,12 @@ figures_test.py WRITER ROOT: WRITER is the program analysis_sample_campaign, ROO
 Exit 77 (skipped) where h5py or matplotlib is not installed.
 """
 
+import csv
 import importlib.util
 import json
+import math
 import pathlib
+import re
 import sqlite3
 import subprocess
 import sys
@@ -16,7 +19,8 @@ import unittest
 WRITER, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
 ALL_SCRIPTS = sorted((ROOT / "analysis").glob("plot_*.py"))
 # Those for closed boxes draw snapshots, which take a solver to make: end_to_end/test_closed_box.py draws them.
-SCRIPTS = [script for script in ALL_SCRIPTS if "from box_data import" not in script.read_text()]
+WAVES = ROOT / "analysis" / "plot_interface_waves.py"  # draws a campaign of its own
+SCRIPTS = [script for script in ALL_SCRIPTS if "from box_data import" not in script.read_text() and script != WAVES]
 
 
 def make_campaign(folder):
@@ -37,6 +41,35 @@ def make_campaign(folder):
                           (str(case_id), name, value, ci95, line["note"]))
     store.commit()
     store.close()
+
+
+def make_waves(folder, frequency_error, decay_error):
+    """Every wave of the reference with both formulations, on 32, 64 and 128 cells; errors are those on 32 cells and fall
+    with second order."""
+    import h5py
+    import numpy as np
+
+    lines = (ROOT / "analysis" / "data" / "interface_modes_linear.csv").read_text().splitlines()
+    for number, row in enumerate(csv.DictReader(line for line in lines if not line.startswith("#"))):
+        decay, frequency, nu = -float(row["re_s"]) / 2, float(row["im_s"]) / 2, float(row["nu_f"])
+        for formulation in ("reference_map", "transported_B"):
+            for cells in (32, 64, 128):
+                directory = pathlib.Path(folder) / "cases" / f"{number}-{formulation}-{cells}"
+                directory.mkdir(parents=True)
+                physics = {
+                    "flow": "interface_wave", "reynolds": 1 / (2 * nu), "grid": {"nx": cells},
+                    "domain": {"length_x": 2, "layer_height": 1},
+                    "solid": {"G": float(row["G_over_rho"]), "viscosity_ratio": float(row["nu_s"]) / nu,
+                              "formulation": formulation},
+                    "wave": {"decay": decay, "frequency": frequency, "displacement": 1e-4}}
+                (directory / "case.json").write_text(json.dumps({"physics": physics}))
+                finer = (32 / cells) ** 2
+                rate = complex(-decay * (1 + decay_error * finer), frequency * (1 + frequency_error * finer))
+                t = np.arange(0, 4.2 * math.pi / frequency, 0.02)
+                with h5py.File(directory / "statistics.h5", "w") as file:
+                    file["blocks/start"], file["blocks/end"], file["series/time"] = t, t + 1e-3, t
+                    for phase, name in enumerate(("wave_v_fluid", "wave_v", "wave_v_solid", "wave_height")):
+                        file[f"series/{name}"] = 1e-4 * np.exp(rate * t + 1j * phase).real
 
 
 def draw(script, *arguments):
@@ -64,10 +97,28 @@ class Figures(unittest.TestCase):
             with self.subTest(script.name):
                 output = pathlib.Path(self.scratch.name) / (script.stem + ".png")
                 done = draw(script, self.campaign, "-o", output)
-                self.assertEqual(done.returncode, 0, done.stderr)
-                self.assertEqual(done.stderr, "")
-                self.assertEqual(output.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
-                self.assertGreater(output.stat().st_size, 20000)
+                self.assert_drawn(done, output)
+
+    def assert_drawn(self, done, picture):
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertGreater(picture.stat().st_size, 20000)
+
+    def test_waves_are_drawn_and_their_rates_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            make_waves(folder, frequency_error=0.08, decay_error=-0.64)
+            picture = pathlib.Path(folder) / "waves.png"
+            done = draw(WAVES, folder, "-o", picture)
+            self.assert_drawn(done, picture)
+        for quantity, error, bar in (("frequency", 0.005, 0.01), ("decay", 0.04, 0.05)):
+            found = [float(value) for value in re.findall(rf"^  {quantity}\D.*?(0\.\d+)   bar {bar}", done.stdout, re.M)]
+            self.assertEqual(len(found), 20)
+            for value in found:
+                self.assertAlmostEqual(value, error, delta=2e-5)
+        orders = [float(value) for value in re.findall(r"order of the rate +(\S+)", done.stdout)]
+        self.assertEqual(len(orders), 20)
+        self.assertTrue(all(abs(order - 2) < 0.01 for order in orders), orders)
 
     def test_damaged_case_is_left_out_by_name(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -85,6 +85,50 @@ TEST(CaseChecks, AChannelIsNoBox) {
                    "/physics/solid/disc: given");
 }
 
+json wave_with(const char* pointer, const json& value) {
+  json document = tests::wave_document();
+  document[json::json_pointer(pointer)] = value;
+  return document;
+}
+
+TEST(CaseChecks, AWaveNeedsItsLayerAndItsRate) {
+  EXPECT_EQ(complaint_about(tests::wave_document()), "");
+  json document = tests::wave_document();
+  document["physics"].erase("wave");
+  expect_complaint(document, "/physics/wave: missing; flow \"interface_wave\" needs");
+  document["physics"].erase("solid");
+  expect_complaint(document, "/physics/solid: missing; flow \"interface_wave\" needs");
+  document = tests::wave_document();
+  document["physics"]["wave"].erase("frequency");
+  expect_complaint(document, "/physics/wave/frequency: missing");
+  expect_complaint(wave_with("/physics/grid/ny_solid", 9), "ny_solid must be 8");
+  expect_complaint(wave_with("/physics/time_step/viscosity", "implicit"),
+                   "must be \"explicit\" in a channel");
+  expect_complaint(wave_with("/physics/initial", {{"type", "precursor"}, {"precursor", "0123456789abcdef"}}),
+                   "an interface wave starts by itself");
+}
+
+/// The message says what would be right, and that is then accepted.
+TEST(CaseChecks, TheRateOfAWaveIsOneOfItsLayers) {
+  const json rough = wave_with("/physics/wave", {{"decay", 0.05}, {"frequency", 3}});
+  expect_complaint(rough, "/physics/wave: decay 0.05, frequency 3; not the rate of a wave of these layers");
+  expect_complaint(rough, "the nearest one found: decay 0.05439521604, frequency 3.099645677");
+  EXPECT_EQ(
+      complaint_about(wave_with("/physics/wave", {{"decay", 0.05439521604}, {"frequency", 3.099645677}})),
+      "");
+  expect_complaint(wave_with("/physics/solid/G", 1.001), "not the rate of a wave");
+  expect_complaint(wave_with("/physics/solid/viscosity_ratio", 1.1), "not the rate of a wave");
+  expect_complaint(wave_with("/physics/reynolds", 2900), "not the rate of a wave");
+  expect_complaint(wave_with("/physics/domain/length_x", 6.1), "not the rate of a wave");
+}
+
+TEST(CaseChecks, OnlyAnInterfaceWaveHasOne) {
+  for (json document : {tests::elastic_document(), tests::rigid_document(), tests::box_document()}) {
+    document["physics"]["wave"] = {{"decay", 1}, {"frequency", 1}};
+    expect_complaint(document, "/physics/wave: given; only flow \"interface_wave\" has one");
+  }
+}
+
 TEST(CaseChecks, UniformSpacingMustMatch) {
   expect_complaint(elastic_with("/physics/grid/ny_solid", 9), "ny_solid must be 8");
   expect_complaint(elastic_with("/physics/domain/layer_height", 0.51), "no ny_solid fits");

@@ -125,7 +125,11 @@ TEST(CaseId, AChangedDefaultGivesNoOldIdToNewPhysics) {
 TEST(CaseId, DefaultsNeverChange) {
   EXPECT_EQ(case_schema().part(json::json_pointer("/physics/solid/formulation"))->at("identity_default"),
             "transported_B");
-  json whole = {{"physics", {{"flow", "elastic_wall"}, {"grid", json::object()}, {"solid", json::object()}}}};
+  json whole = {{"physics",
+                 {{"flow", "elastic_wall"},
+                  {"grid", json::object()},
+                  {"solid", json::object()},
+                  {"wave", json::object()}}}};
   case_schema().fill_defaults(whole);
   EXPECT_EQ(whole.at("physics"), json::parse(R"({
               "flow": "elastic_wall", "reynolds": 2800,
@@ -133,6 +137,7 @@ TEST(CaseId, DefaultsNeverChange) {
               "grid": {"ny_solid": 0, "stretching": 0}, "precision": "double",
               "solid": {"viscosity_ratio": 1, "formulation": "reference_map", "weno": "z", "interface": "weno",
                         "threshold": 0.9, "extension": "column", "min_eigenvalue": 1e-4},
+              "wave": {"displacement": 1e-4},
               "time_step": {"safety": 0.8, "viscosity": "explicit"},
               "initial": {"type": "perturbed_laminar", "amplitude": 0.1, "seed": 1, "precursor": "",
                           "precursor_time": 0},

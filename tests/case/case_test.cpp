@@ -55,8 +55,8 @@ TEST(Case, EveryMemberArrives) {
 }
 
 TEST(Case, WritingAndReadingBackChangesNothing) {
-  for (const json& document :
-       {tests::rigid_document(), tests::elastic_document(), tests::full_document(), tests::box_document()}) {
+  for (const json& document : {tests::rigid_document(), tests::elastic_document(), tests::full_document(),
+                               tests::box_document(), tests::wave_document()}) {
     const Case c = parse_case(document.dump());
     const json written = to_json(c);
     const Case again = parse_case(written.dump());
@@ -71,6 +71,16 @@ TEST(Case, WritingAndReadingBackChangesNothing) {
 TEST(Case, WhatCarriesPhiIsRead) {
   EXPECT_EQ(parse_case(tests::elastic_document().dump()).physics.solid->interface, InterfaceTransport::kWeno);
   EXPECT_EQ(parse_case(tests::box_document().dump()).physics.solid->interface, InterfaceTransport::kMthinc);
+}
+
+TEST(Case, AWaveIsRead) {
+  const Physics p = parse_case(tests::wave_document().dump()).physics;
+  EXPECT_EQ(p.flow, FlowType::kInterfaceWave);
+  ASSERT_TRUE(p.wave);
+  EXPECT_EQ(p.wave->decay, 0.0543952160378);
+  EXPECT_EQ(p.wave->frequency, 3.09964567747);
+  EXPECT_EQ(p.wave->displacement, 0.001);
+  EXPECT_FALSE(parse_case(tests::elastic_document().dump()).physics.wave);
 }
 
 TEST(Case, NumbersSurviveToTheLastBit) {

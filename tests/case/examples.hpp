@@ -58,6 +58,16 @@ inline nlohmann::json box_document() {
     "run": {"end_time": 11}})");
 }
 
+/// A wave that belongs to its layers, none of its own members with its default.
+inline nlohmann::json wave_document() {
+  return nlohmann::json::parse(R"({
+    "format": 1, "label": "wave",
+    "physics": {
+      "flow": "interface_wave", "grid": {"nx": 32, "ny_fluid": 32, "ny_solid": 8, "nz": 1}, "solid": {"G": 1},
+      "wave": {"decay": 0.0543952160378, "frequency": 3.09964567747, "displacement": 0.001}},
+    "run": {"end_time": 11}})");
+}
+
 inline std::string id_of(const nlohmann::json& document) { return parse_case(document.dump()).id; }
 
 /// The message of the BadInput that this raises; empty when it raises none.

@@ -96,8 +96,14 @@ TEST(Mutation, WrongTypesEverywhere) {
   EXPECT_GT(refused, 150U);
 }
 
+/// Everything that the rate of a wave is checked against.
+json filled_wave() {
+  json document = tests::wave_document();
+  case_schema().fill_defaults(document);
+  return document;
+}
+
 TEST(Mutation, NumbersAtTheEdges) {
-  const json full = tests::full_document();
   const std::vector<const char*> edges{"0",
                                        "-1",
                                        "-0",
@@ -112,15 +118,17 @@ TEST(Mutation, NumbersAtTheEdges) {
                                        "1e-320",
                                        "4294967296",
                                        "2147483648"};
-  const json flat = full.flatten();
-  for (const auto& [pointer, value] : flat.items()) {
-    if (!value.is_number()) continue;
-    for (const char* edge : edges) {
-      json changed = full;
-      changed[Pointer(pointer)] = "@edge@";
-      std::string text = changed.dump();
-      text.replace(text.find("\"@edge@\""), 8, edge);
-      static_cast<void>(read(text));
+  for (const json& whole : {tests::full_document(), filled_wave()}) {
+    const json flat = whole.flatten();
+    for (const auto& [pointer, value] : flat.items()) {
+      if (!value.is_number()) continue;
+      for (const char* edge : edges) {
+        json changed = whole;
+        changed[Pointer(pointer)] = "@edge@";
+        std::string text = changed.dump();
+        text.replace(text.find("\"@edge@\""), 8, edge);
+        static_cast<void>(read(text));
+      }
     }
   }
 }

@@ -37,7 +37,9 @@ std::set<std::string> leaves_of(const json& document) {
 }
 
 /// Between them the examples hold every parameter: no flow has them all.
-std::vector<json> examples() { return {tests::full_document(), tests::box_document()}; }
+std::vector<json> examples() {
+  return {tests::full_document(), tests::box_document(), tests::wave_document()};
+}
 
 TEST(SchemaContract, EveryParameterIsWrittenAndNothingElse) {
   std::set<std::string> written;

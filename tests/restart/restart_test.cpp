@@ -31,6 +31,7 @@ class Restart : public testing::TestWithParam<Setting> {
     const std::string flow = GetParam().flow;
     if (flow == "rigid") return rigid_case(steps);
     if (flow == "reference_map") return reference_map_case(steps);
+    if (flow == "wave") return wave_case(steps);
     json c = elastic_case(steps);
     if (flow == "single") c["physics"]["precision"] = "single";
     return c;
@@ -48,7 +49,8 @@ INSTANTIATE_TEST_SUITE_P(, Restart,
                          testing::Values(Setting{"rigid", 1}, Setting{"rigid", 2}, Setting{"rigid", 4},
                                          Setting{"elastic", 1}, Setting{"elastic", 2}, Setting{"elastic", 4},
                                          Setting{"single", 2}, Setting{"reference_map", 1},
-                                         Setting{"reference_map", 2}, Setting{"reference_map", 4}),
+                                         Setting{"reference_map", 2}, Setting{"reference_map", 4},
+                                         Setting{"wave", 1}, Setting{"wave", 2}),
                          [](const auto& test) { return test.param.flow + std::to_string(test.param.ranks); });
 
 TEST_P(Restart, FromEachCheckpointOfAnInterval) {
@@ -158,8 +160,10 @@ void expect_same_numbers_on_other_ranks(json (*a_case)(int), const std::vector<c
 TEST(RestartOnOtherRanks, GivesTheSameNumbersToRoundOff) {
   expect_same_numbers_on_other_ranks(
       elastic_case, {"fields/u", "fields/v", "fields/w", "fields/p", "fields/phi", "fields/B_xy"});
-  expect_same_numbers_on_other_ranks(reference_map_case, {"fields/u", "fields/v", "fields/w", "fields/p",
-                                                          "fields/d_x", "fields/d_y", "fields/d_z"});
+  for (const auto a_case : {reference_map_case, wave_case}) {
+    expect_same_numbers_on_other_ranks(
+        a_case, {"fields/u", "fields/v", "fields/w", "fields/p", "fields/d_x", "fields/d_y", "fields/d_z"});
+  }
 }
 
 }  // namespace

@@ -56,6 +56,14 @@ json reference_map_case(int steps) {
   return c;
 }
 
+json wave_case(int steps) {
+  json c = reference_map_case(steps);
+  c["physics"]["flow"] = "interface_wave";
+  c["physics"]["grid"]["nz"] = 1;
+  c["physics"]["wave"] = {{"decay", 0.112106670118}, {"frequency", 2.55844047078}, {"displacement", 0.01}};
+  return c;
+}
+
 SolverRun::SolverRun() {
   std::string name = (fs::temp_directory_path() / "softwall-run-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) std::abort();

@@ -52,6 +52,8 @@ class SolverRun {
 [[nodiscard]] nlohmann::json rigid_case(int steps);
 [[nodiscard]] nlohmann::json elastic_case(int steps);
 [[nodiscard]] nlohmann::json reference_map_case(int steps);
+/// A wave at the interface of that layer, in two dimensions.
+[[nodiscard]] nlohmann::json wave_case(int steps);
 
 [[nodiscard]] std::string contents(const std::filesystem::path& file);
 

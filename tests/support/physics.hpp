@@ -36,6 +36,18 @@ inline Physics elastic_channel(Cells n) {
   return p;
 }
 
+/// A slow wave at the interface of a fluid 2 deep and a layer 1 thick, viscosity 0.02 in both, G = 1, one
+/// in 2.
+inline Physics interface_wave(Cells n) {
+  Physics p = elastic_channel(n);
+  p.flow = FlowType::kInterfaceWave;
+  p.reynolds = 50;
+  p.length_x = p.length_z = 2;
+  p.layer_height = 1;
+  p.wave = WaveSpec{.decay = 0.2198688982, .frequency = 2.883976853, .displacement = 1e-4};
+  return p;
+}
+
 /// A box that the solid fills from wall to wall (0 < y < 2), undeformed: for the material's own dynamics.
 inline Physics solid_box(Cells n) {
   Physics p = elastic_channel({n.nx, n.ny_fluid, 0, n.nz});

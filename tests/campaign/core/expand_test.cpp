@@ -167,6 +167,23 @@ TEST(Expand, ClosedBoxesStartByThemselves) {
   EXPECT_NE(complaint_about(document).find("a closed box starts by itself"), std::string::npos);
 }
 
+TEST(Expand, AWaveIsSweptWithItsLayers) {
+  const json document = json::parse(R"({
+    "format": 1, "name": "waves",
+    "physics": {"flow": "interface_wave", "grid": {"nx": 32, "ny_fluid": 32, "ny_solid": 8, "nz": 1}},
+    "sweep": {"zip": {"G": [1, 2], "decay": [0.0543952160378, 0.2], "frequency": [3.09964567747, 4.4]}},
+    "run": {"end_time": 4}})");
+  const std::string message = complaint_about(document);
+  EXPECT_NE(message.find("/physics/wave: decay 0.2, frequency 4.4; not the rate"), std::string::npos)
+      << message;
+  EXPECT_NE(message.find("(case G=2_decay=0.2_frequency=4.4)"), std::string::npos) << message;
+  json one = document;
+  for (json& values : one["sweep"]["zip"]) values.erase(1);
+  const Campaign campaign = campaign_of(one);
+  ASSERT_EQ(campaign.cases.size(), 1U);
+  EXPECT_EQ(campaign.cases.front().definition.physics.wave->frequency, 3.09964567747);
+}
+
 TEST(Expand, RanksComeFromExecution) {
   json document = elastic_campaign();
   document["execution"] = {{"ranks", 2}, {"precursor_ranks", 4}};

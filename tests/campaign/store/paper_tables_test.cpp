@@ -121,6 +121,17 @@ TEST_F(PaperTablesTest, AnotherReynoldsNumberOrLayerIsNoCounterpart) {
   }
 }
 
+TEST_F(PaperTablesTest, AnotherFlowIsNoCounterpart) {
+  const nlohmann::json wave = nlohmann::json::parse(R"({
+    "format": 1, "name": "a wave at the interface of the paper's layer",
+    "physics": {"flow": "interface_wave", "grid": {"nx": 32, "ny_fluid": 32, "ny_solid": 8, "nz": 1},
+                "solid": {"G": 1}, "wave": {"decay": 0.0543952160378, "frequency": 3.09964567747}},
+    "run": {"end_time": 4}})");
+  store.record_campaign(campaign_of(wave));
+  EXPECT_THAT(page(), HasSubstr("has no case that the paper's tables show"));
+  EXPECT_THAT(page(), HasSubstr("no counterpart in the paper"));
+}
+
 TEST_F(PaperTablesTest, WithoutAnyCounterpartThereAreNoTables) {
   nlohmann::json document = elastic_campaign();
   document["physics"]["reynolds"] = 3000;

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "solver/time/setup.hpp"
+#include "solver/time/state.hpp"
+
+namespace softwall::time {
+
+/// The state at time 0 of an interface wave: the mode of linear theory (case/interface_mode.hpp) with the
+/// rate of the case, its crest at x = 0, where the interface stands the displacement of the case above y = 2.
+/// Velocity and what the solid carries are the mode's at the quantity's place, exact to first order in the
+/// displacement; a projection then removes the divergence that the grid's own differences leave.
+[[nodiscard]] State interface_wave_at_start(Setup& setup);
+
+}  // namespace softwall::time
