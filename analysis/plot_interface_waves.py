@@ -18,7 +18,7 @@ PERIODS = 2  # that a rate is fitted to, of the exact frequency
 PROBES = ("wave_v_fluid", "wave_v", "wave_v_solid")
 FREQUENCY_BAR, DECAY_BAR, ORDER_BAR, ORDER_FLOOR = 0.01, 0.05, 1.5, 0.001
 FORMULATIONS = {"reference_map": ("reference map", "-"), "transported_B": ("transported B", ":")}
-COLOURS = {0: plt.cm.viridis(np.linspace(0, 0.85, 5)), 1: plt.cm.plasma(np.linspace(0, 0.8, 5))}
+MARKERS = {0: "o", 1: "s"}  # by mode
 
 
 def fitted_rate(t, records, guess):
@@ -74,12 +74,16 @@ def signed_errors(case, exact):
     return case.rate.imag / exact.imag - 1, case.rate.real / exact.real - 1
 
 
-def order_of(errors):
-    """Of the complex rate, per halving of the cells: where its error first falls below the floor, or at the end."""
-    n = 1
-    while n + 1 < len(errors) and errors[n] >= ORDER_FLOOR:
-        n += 1
-    return math.log2(errors[n - 1] / errors[n])
+def judge_order(errors):
+    """Of the complex rate, per halving of the cells, between the finest two grids that begin above the floor: below it,
+    parts of the error that cancel are all that is left."""
+    pairs = [(coarse, fine) for coarse, fine in zip(errors, errors[1:]) if coarse >= ORDER_FLOOR]
+    if pairs:
+        order = math.log2(pairs[-1][0] / pairs[-1][1])
+        verdict = f"{order:10.2f}   bar {ORDER_BAR:g}   {'holds' if order >= ORDER_BAR else 'MISSED'}"
+    else:
+        verdict = f"{'-':>10s}   below {100 * ORDER_FLOOR:g} % on all grids"
+    print(f"{'  order of the rate':58s} {verdict}")
 
 
 def print_row(name, waves, exact):
@@ -90,15 +94,13 @@ def print_row(name, waves, exact):
     judge(f"  frequency, {waves[-1].cells} cells a wave", abs(frequency), FREQUENCY_BAR)
     judge("  decay", abs(decay), DECAY_BAR)
     if len(waves) > 1:
-        order = order_of(errors)
-        print(f"{'  order of the rate':58s} {order:10.2f}   bar {ORDER_BAR:g}   "
-              f"{'holds' if order >= ORDER_BAR else 'MISSED'}")
+        judge_order(errors)
 
 
 def draw_errors(panels, waves, exact, style):
     cells = [case.cells for case in waves]
     for panel, errors in zip(panels, zip(*(signed_errors(case, exact) for case in waves))):
-        panel.plot(cells, 100 * np.abs(errors), "o", markersize=3.5, **style)
+        panel.plot(cells, 100 * np.abs(errors), markersize=4, **style)
 
 
 def draw_height(panel, case, exact, style):
@@ -136,9 +138,10 @@ def main():
                 continue
             exact = complex(row["re_s"], row["im_s"])
             print_row(f"{words}, {name_of(row)}", waves, exact)
-            style = {"color": COLOURS[int(row["mode"])][n // 2], "linestyle": line, "linewidth": 1}
+            style = {"color": f"C{n // 2}", "linestyle": line, "linewidth": 1}  # one colour for the modes of a layer
             known = formulation == "reference_map"
-            draw_errors(errors, waves, exact, style | {"label": name_of(row) if known else None})
+            mode = {"marker": MARKERS[row["mode"]], "markerfacecolor": "none" if row["mode"] else style["color"]}
+            draw_errors(errors, waves, exact, style | mode | {"label": name_of(row) if known else None})
             if known and row["mode"] == 0:
                 draw_height(heights, waves[-1], exact, style)
     finish(heights, errors, sorted({case.cells for case in cases}))

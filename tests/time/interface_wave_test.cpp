@@ -24,7 +24,8 @@ std::map<std::string, double> series_of(const State& s, const Setup& setup) {
 /// Displacement and velocity of the crest at the start: those of Re[a exp(s t)].
 TEST(InterfaceWave, StartsAsTheModeOfLinearTheory) {
   for (const auto formulation : support::kBothFormulations) {
-    Setup setup(support::formulated(support::interface_wave({32, 32, 16, 1}), formulation), MPI_COMM_WORLD);
+    time::Setup setup(support::formulated(support::interface_wave({32, 32, 16, 1}), formulation),
+                      MPI_COMM_WORLD);
     const State s = interface_wave_at_start(setup);
     const WaveSpec wave = *setup.physics.wave;
     const auto series = series_of(s, setup);
@@ -40,7 +41,7 @@ TEST(InterfaceWave, StartsAsTheModeOfLinearTheory) {
 
 /// A period later it is what it was, less its decay; nothing has driven the flow.
 TEST(InterfaceWave, TurnsAndDecaysAtItsRate) {
-  Setup setup(support::interface_wave({32, 32, 16, 1}), MPI_COMM_WORLD);
+  time::Setup setup(support::interface_wave({32, 32, 16, 1}), MPI_COMM_WORLD);
   State s = interface_wave_at_start(setup);
   const WaveSpec wave = *setup.physics.wave;
   const double period = 2 * std::numbers::pi / wave.frequency;
@@ -60,7 +61,7 @@ TEST(InterfaceWave, IsTheSameOnAnyNumberOfRanks) {
   for (const auto formulation : support::kBothFormulations) {
     const Physics p = support::formulated(support::interface_wave({24, 24, 12, 1}), formulation);
     const auto after = [&](MPI_Comm comm) {
-      Setup setup(p, comm);
+      time::Setup setup(p, comm);
       State s = interface_wave_at_start(setup);
       for (int n = 0; n < 20; ++n) advance(s, setup, 0.005);
       auto values = support::all_fields(s, setup);
@@ -76,7 +77,7 @@ TEST(InterfaceWave, IsTheSameOnAnyNumberOfRanks) {
 TEST(InterfaceWave, OnAStretchedGrid) {
   Physics p = support::interface_wave({32, 40, 22, 1});
   p.grid.stretching = 0.5;
-  Setup setup(p, MPI_COMM_WORLD);
+  time::Setup setup(p, MPI_COMM_WORLD);
   const State s = interface_wave_at_start(setup);
   EXPECT_NEAR(series_of(s, setup).at("wave_height"), p.wave->displacement, 0.01 * p.wave->displacement);
 }

@@ -29,13 +29,6 @@ constexpr Row kViscous0{"nu 0.01, mode 0", 0.01, 0.01, 1, {-0.4397377964, 5.7679
     kThinner0{"nu 0.01 under 0.001, mode 0", 0.01, 0.001, 1, {-0.287302271, 5.779670686}},
     kThinner1{"nu 0.01 under 0.001, mode 1", 0.01, 0.001, 1, {-0.9678293228, 10.34876423}},
     kThicker0{"nu 0.01 under 0.04, mode 0", 0.01, 0.04, 1, {-0.946707025682, 5.69884838113}};
-constexpr Row kOtherRows[]{
-    {"nu 0.001, mode 0", 0.001, 0.001, 1, {-0.07736782534, 5.890392313}},
-    {"nu 0.005, mode 0", 0.005, 0.005, 1, {-0.2531933769, 5.825701073}},
-    {"nu 0.005, mode 1", 0.005, 0.005, 1, {-0.894727814, 10.54274857}},
-    {"nu 0.001, mode 1", 0.001, 0.001, 1, {-0.3108918389, 10.85669724}},
-    {"nu 0.01, G 0.25, mode 1", 0.01, 0.01, 0.25, {-1.222043842, 4.898903836}},
-};
 
 /// The code's fluid is 2 deep: lengths and times are twice the table's, velocities the same.
 constexpr double kScale = 2;
@@ -111,12 +104,6 @@ TEST_P(InterfaceModes, OfASoftLayer) { expect_rate(kSoft0); }
 TEST_P(InterfaceModes, UnderALayerOfATenthOfTheViscosity) { expect_rate(kThinner0); }
 TEST_P(InterfaceModes, UnderALayerOfATenthOfTheViscositySecondWave) { expect_rate(kThinner1); }
 TEST_P(InterfaceModes, UnderALayerOfFourTimesTheViscosity) { expect_rate(kThicker0); }
-
-/// Measures, by hand, with --gtest_also_run_disabled_tests: on 64 cells some of these miss a bar, see
-/// tests/README.md.
-TEST_P(InterfaceModes, DISABLED_OtherRowsOfTheTable) {
-  for (const Row& row : kOtherRows) measure(row);
-}
 
 INSTANTIATE_TEST_SUITE_P(Solids, InterfaceModes, testing::ValuesIn(support::solids()), support::solid_name);
 
