@@ -26,7 +26,7 @@ struct Arguments {
   }
 };
 
-using Action = std::function<ExitStatus(const Arguments&)>;
+using CommandAction = std::function<ExitStatus(const Arguments&)>;
 
 class CommandLine {
  public:
@@ -34,14 +34,14 @@ class CommandLine {
   ExitStatus run(int count, char** words);
 
  private:
-  CLI::App* add(const std::string& name, const std::string& help, Action action);
+  CLI::App* add(const std::string& name, const std::string& help, CommandAction action);
   void add_results_commands();
   void suggest_command(int count, char** words) const;
   [[nodiscard]] std::string suggest_option(int count, char** words) const;
 
   CLI::App app_{"Campaigns of direct numerical simulations over elastic walls", "softwall"};
   Arguments arguments_;
-  std::map<const CLI::App*, Action> actions_;
+  std::map<const CLI::App*, CommandAction> actions_;
 };
 
 CommandLine::CommandLine() {
@@ -100,7 +100,7 @@ void CommandLine::add_results_commands() {
   }
 }
 
-CLI::App* CommandLine::add(const std::string& name, const std::string& help, Action action) {
+CLI::App* CommandLine::add(const std::string& name, const std::string& help, CommandAction action) {
   CLI::App* command = app_.add_subcommand(name, help);
   command->add_option("PATH", arguments_.path, "Campaign file or its folder")->required();
   actions_[command] = std::move(action);

@@ -24,13 +24,6 @@ struct Stress {
   Real yz(int i, int j, int k) const { return G * share.solid(phi.edge_yz(i, j, k)) * Byz(i, j, k); }
 };
 
-/// One component.
-template <class Component>
-void assign(const grid::Box& box, const Component& component, grid::Field& force) {
-  const auto out = force.view();
-  grid::for_each_cell(box, [=](int i, int j, int k) { out(i, j, k) = component(i, j, k); });
-}
-
 }  // namespace
 
 ElasticForce::ElasticForce(double G, const InterfaceShare& share, const Grid& grid)

@@ -13,7 +13,7 @@ namespace softwall::solid {
 namespace {
 
 /// What the fluid's viscous stress lacks, where its components live.
-struct Stress {
+struct ExcessStress {
   Fraction phi;
   View<const Real> u, v, w;
   View<const Real> shear_xy, shear_yz;  ///< du/dy and dw/dy of the solid
@@ -74,8 +74,8 @@ void find_shear_xy(const Fraction& phi, const grid::VectorField& velocity, Real 
 
 Fraction fraction_of(const Material& m, const Grid& g) { return {m.phi.view(), g.upper_share.data()}; }
 
-Stress stress_of(const Material& m, const grid::VectorField& velocity, const grid::Field& shear_xy,
-                 const grid::Field& shear_yz, Real ratio, const InterfaceShare& share, const Grid& g) {
+ExcessStress stress_of(const Material& m, const grid::VectorField& velocity, const grid::Field& shear_xy,
+                       const grid::Field& shear_yz, Real ratio, const InterfaceShare& share, const Grid& g) {
   return {fraction_of(m, g),
           velocity.x.view(),
           velocity.y.view(),
@@ -88,12 +88,6 @@ Stress stress_of(const Material& m, const grid::VectorField& velocity, const gri
           Real(1 / g.dz),
           ratio,
           share};
-}
-
-template <class Component>
-void assign(const grid::Box& box, const Component& component, grid::Field& field) {
-  const auto out = field.view();
-  grid::for_each_cell(box, [=](int i, int j, int k) { out(i, j, k) = component(i, j, k); });
 }
 
 /// One row above the lowest row from which on all is solid, ghost columns too; ny when there is none.
@@ -139,7 +133,7 @@ void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity
   end_row_ = ratio_ == 1 ? end_of_interface(m.phi, g, first_row) : g.ny;
   find_shear_xy(phi, velocity, solid_from_, g, first_row, end_row_, shear_xy_);
   find_shear(velocity.z, on_yz, solid_from_, g, first_row, end_row_, shear_yz_);
-  const Stress stress = stress_of(m, velocity, shear_xy_, shear_yz_, ratio_, share_, g);
+  const ExcessStress stress = stress_of(m, velocity, shear_xy_, shear_yz_, ratio_, share_, g);
   if (ratio_ == 1) {
     find_force(ShearDivergence(stress, g), first_row);
   } else {
@@ -152,7 +146,7 @@ std::vector<double> ExcessViscosity::shear_stress_sums(const Material& m, const 
   const auto& g = grid_;
   grid::Field shear(g, 1);
   find_shear_xy(fraction_of(m, g), velocity, solid_from_, g, first_row, g.ny, shear);
-  const Stress stress = stress_of(m, velocity, shear, shear, ratio_, share_, g);
+  const ExcessStress stress = stress_of(m, velocity, shear, shear, ratio_, share_, g);
   std::vector<double> sums(static_cast<std::size_t>(g.ny) + 1);
   for (int j = first_row; j <= g.ny; ++j) {
     sums[static_cast<std::size_t>(j)] =

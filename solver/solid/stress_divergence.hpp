@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/grid/cell_loop.hpp"
 #include "solver/grid/field.hpp"
 
 /// Force of a stress whose normal components live at centers and shear components on edges, as those of B do.
@@ -52,5 +53,12 @@ struct ShearDivergence {
   }
   Real z(int i, int j, int k) const { return (s.yz(i, j + 1, k) - s.yz(i, j, k)) * inv_dy[j]; }
 };
+
+/// Writes one component of a force, component(i, j, k), to the cells of a box.
+template <class Component>
+void assign(const grid::Box& box, const Component& component, grid::Field& force) {
+  const auto out = force.view();
+  grid::for_each_cell(box, [=](int i, int j, int k) { out(i, j, k) = component(i, j, k); });
+}
 
 }  // namespace softwall::solid

@@ -9,7 +9,7 @@ namespace softwall::statistics {
 
 namespace {
 
-constexpr std::array<SeriesKind, 12> kKinds = {{
+constexpr std::array<SeriesKind, 12> kBoxSeriesKinds = {{
     {"kinetic_energy", Combine::kMean, "rho U_b^2 h^2", "of the box, per depth"},
     {"elastic_energy", Combine::kMean, "rho U_b^2 h^2", "phi G (tr B - 3) / 2 of the box, per depth"},
     {"centroid_x", Combine::kMean, "h", "of the solid"},
@@ -27,7 +27,7 @@ constexpr std::array<SeriesKind, 12> kKinds = {{
 }  // namespace
 
 std::span<const SeriesKind> box_series_kinds(bool elastic) {
-  return std::span(kKinds).first(elastic ? kKinds.size() : 1);
+  return std::span(kBoxSeriesKinds).first(elastic ? kBoxSeriesKinds.size() : 1);
 }
 
 std::vector<double> box_series_sample(const time::State& s, const time::Setup& setup) {

@@ -13,7 +13,7 @@ using analysis::Location;
 using grid::Grid;
 using grid::Real;
 
-constexpr std::array<ProfileKind, kProfileCount> kKinds = {{
+constexpr std::array<ProfileKind, kProfileCount> kProfileKinds = {{
     {"u", Location::kCenter, "", ""},
     {"v", Location::kCenter, "", ""},
     {"w", Location::kCenter, "", ""},
@@ -141,7 +141,7 @@ PlaneMeans local_sums(const time::State& s, const time::Setup& setup) {
 }  // namespace
 
 std::span<const ProfileKind> profile_kinds(bool elastic) {
-  return std::span(kKinds).first(elastic ? std::size_t(kProfileCount) : std::size_t(kPhi));
+  return std::span(kProfileKinds).first(elastic ? std::size_t(kProfileCount) : std::size_t(kPhi));
 }
 
 PlaneMeans plane_means(const time::State& s, const time::Setup& setup) {

@@ -9,7 +9,7 @@ namespace softwall::statistics {
 
 namespace {
 
-constexpr std::array<SeriesKind, 12> kKinds = {{
+constexpr std::array<SeriesKind, 12> kSeriesKinds = {{
     {"wall_shear_bottom", Combine::kMean, "", ""},
     {"wall_shear_top", Combine::kMean, "", ""},
     {"bulk_velocity", Combine::kMean, "U_b", "mean streamwise velocity of the fluid"},
@@ -43,7 +43,7 @@ InterfaceShape interface_of(const solid::Material& m, const time::Setup& setup) 
 }  // namespace
 
 std::span<const SeriesKind> series_kinds(bool elastic) {
-  return std::span(kKinds).first(elastic ? kKinds.size() : kRigidCount);
+  return std::span(kSeriesKinds).first(elastic ? kSeriesKinds.size() : kRigidCount);
 }
 
 std::vector<double> series_sample(const time::State& s, const time::Setup& setup, const PlaneMeans& means) {

@@ -10,10 +10,9 @@ namespace {
 
 using support::Domain;
 
-constexpr Real kThreshold = 0.5;
-
 class Skin : public testing::Test {
  protected:
+  static constexpr Real kThreshold = 0.5;
   Domain d{MPI_COMM_WORLD, {12, 10, 7}, {}, support::faces(10)};
   Material m{d.grid};
 

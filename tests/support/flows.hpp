@@ -41,6 +41,28 @@ inline time::State smooth_state(time::Setup& setup) {
   return s;
 }
 
+/// A step as long as it may be.
+inline void step(time::State& s, time::Setup& setup) {
+  time::advance(s, setup, time::choose_time_step(s, setup).dt);
+}
+
+/// What a checkpoint would bring back: the rows that are written, everything else zero.
+inline time::State reread(time::State& s, const time::Setup& setup) {
+  time::State fresh = time::state_at_rest(setup);
+  auto from = time::fields_of(s), to = time::fields_of(fresh);
+  for (std::size_t n = 0; n < from.size(); ++n) {
+    for (int k = 0; k < setup.grid.nz; ++k) {
+      for (int j = 0; j < from[n].rows; ++j) {
+        for (int i = 0; i < setup.grid.nx; ++i) (*to[n].field)(i, j, k) = (*from[n].field)(i, j, k);
+      }
+    }
+  }
+  fresh.time = s.time;
+  fresh.step = s.step;
+  fresh.driving_gradient = s.driving_gradient;
+  return fresh;
+}
+
 /// Every number of a state, fields one after another, the same on all ranks.
 inline std::vector<std::vector<double>> all_fields(time::State& s, const time::Setup& setup) {
   std::vector<std::vector<double>> values;

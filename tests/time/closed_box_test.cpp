@@ -7,8 +7,6 @@
 namespace softwall::time {
 namespace {
 
-void step(State& s, Setup& setup) { advance(s, setup, choose_time_step(s, setup).dt); }
-
 Physics implicit_cavity_with_disc(int nx, int ny) {
   Physics p = support::cavity_with_disc(nx, ny);
   p.time_step.viscosity = ViscousTerms::kImplicit;
@@ -23,32 +21,19 @@ double area(const State& s, const Setup& setup) {
   return sum;
 }
 
-State reread(State& s, const Setup& setup) {
-  State fresh = state_at_rest(setup.grid, s.elastic);
-  auto from = fields_of(s), to = fields_of(fresh);
-  for (std::size_t n = 0; n < from.size(); ++n) {
-    support::set_by_index(*to[n].field, setup.grid, from[n].rows, [&](int i, int j, int k) {
-      return (*from[n].field)(i - setup.grid.x_begin, j, k - setup.grid.z_begin);
-    });
-  }
-  fresh.time = s.time;
-  fresh.step = s.step;
-  return fresh;
-}
-
 TEST(ClosedBox, GoesOnWithTheSameBitsAfterARestart) {
   for (const Physics& p : {support::cavity_with_disc(24, 26), implicit_cavity_with_disc(24, 26)}) {
     time::Setup setup(p, MPI_COMM_WORLD);
     State s = closed_box_at_start(setup);
     for (int n = 0; n < 12; ++n) {
-      step(s, setup);
+      support::step(s, setup);
       time::Setup second(p, MPI_COMM_WORLD);
-      State copy = reread(s, second);
+      State copy = support::reread(s, second);
       start(copy, second);
       ASSERT_EQ(support::all_fields(copy, second), support::all_fields(s, setup))
           << "start() at step " << s.step;
-      step(copy, second);
-      step(s, setup);
+      support::step(copy, second);
+      support::step(s, setup);
       ASSERT_EQ(support::all_fields(copy, second), support::all_fields(s, setup)) << "after step " << s.step;
     }
   }
@@ -73,7 +58,7 @@ TEST(ClosedBox, KeepsItsSolidAndHasNoDivergence) {
   time::Setup setup(implicit_cavity_with_disc(32, 32), MPI_COMM_WORLD);
   State s = closed_box_at_start(setup);
   const double before = area(s, setup);
-  while (s.time < 1) step(s, setup);
+  while (s.time < 1) support::step(s, setup);
   EXPECT_NEAR(area(s, setup), before, 1e-12 * before);
   EXPECT_LT(pressure::max_divergence(s.velocity, setup.grid, setup.decomposition), 1e-11);
   EXPECT_EQ(s.driving_gradient, 0);
@@ -85,7 +70,7 @@ TEST(ClosedBox, DoesNotFeelAnUndeformedDiscAtRest) {
   time::Setup setup(support::cavity_with_disc(24, 24), MPI_COMM_WORLD);
   setup.walls.top_u = 0;
   State s = closed_box_at_start(setup);
-  for (int n = 0; n < 10; ++n) step(s, setup);
+  for (int n = 0; n < 10; ++n) support::step(s, setup);
   EXPECT_LT(support::largest(support::all_velocity(s, setup)), 1e-14);
 }
 

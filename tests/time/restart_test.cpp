@@ -7,39 +7,20 @@
 namespace softwall::time {
 namespace {
 
-/// What a checkpoint would bring back: the rows that are written, everything else zero.
-State reread(State& s, const Setup& setup) {
-  State fresh = state_at_rest(setup);
-  auto from = fields_of(s), to = fields_of(fresh);
-  for (std::size_t n = 0; n < from.size(); ++n) {
-    for (int k = 0; k < setup.grid.nz; ++k) {
-      for (int j = 0; j < from[n].rows; ++j) {
-        for (int i = 0; i < setup.grid.nx; ++i) (*to[n].field)(i, j, k) = (*from[n].field)(i, j, k);
-      }
-    }
-  }
-  fresh.time = s.time;
-  fresh.step = s.step;
-  fresh.driving_gradient = s.driving_gradient;
-  return fresh;
-}
-
-void step(State& s, Setup& setup) { advance(s, setup, choose_time_step(s, setup).dt); }
-
 /// Restarts after each of `steps` steps and compares the step after.
 void expect_same_bits_from_any_moment(const Physics& p, int steps, bool limited) {
   time::Setup setup(p, MPI_COMM_WORLD);
   State s = support::smooth_state(setup);
   int bands = 0, last_band = 0;
   for (int n = 0; n < steps; ++n) {
-    step(s, setup);
+    support::step(s, setup);
     time::Setup second(p, MPI_COMM_WORLD);
-    State copy = reread(s, second);
+    State copy = support::reread(s, second);
     start(copy, second);
     ASSERT_EQ(support::all_fields(copy, second), support::all_fields(s, setup))
         << "start() changed the state of step " << s.step;
-    step(copy, second);
-    step(s, setup);
+    support::step(copy, second);
+    support::step(s, setup);
     const auto one = support::all_fields(s, setup), two = support::all_fields(copy, second);
     for (std::size_t f = 0; f < one.size(); ++f) {
       ASSERT_EQ(one[f], two[f]) << fields_of(s)[f].name << " after a restart at step " << s.step - 1;

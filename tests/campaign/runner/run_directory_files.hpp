@@ -13,7 +13,7 @@
 #include "solver/case/run_files.hpp"
 
 /// Run directories written by hand, as the solver would leave them.
-namespace softwall::campaign::test {
+namespace softwall::test {
 
 /// A checkpoint that passes every check: a true header and some bytes behind it.
 inline std::filesystem::path write_checkpoint(const RunFiles& run, const std::string& case_id,
@@ -58,4 +58,4 @@ inline void write_summary(const RunFiles& run, const std::string& case_id, int a
   std::ofstream(run.summary()) << summary.dump();
 }
 
-}  // namespace softwall::campaign::test
+}  // namespace softwall::test

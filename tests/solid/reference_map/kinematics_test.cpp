@@ -16,12 +16,10 @@ namespace {
 using support::Domain;
 using support::kCenter;
 
-constexpr auto kMap = SolidFormulation::kReferenceMap;
-
 /// A layer over y >= at_rest.
 Material layer(const Grid& g, double at_rest) {
   Material m(g);
-  m.formulation = kMap;
+  m.formulation = SolidFormulation::kReferenceMap;
   m.surface_at_rest = at_rest;
   return m;
 }

@@ -11,8 +11,6 @@ namespace {
 
 using support::Domain;
 
-constexpr auto kMap = SolidFormulation::kReferenceMap;
-
 struct Volume {
   double error = 0;   ///< largest |det A - 1| in full cells
   double height = 0;  ///< of the surface in one column
@@ -23,7 +21,7 @@ template <class Displacement>
 std::pair<Volume, Volume> left_alone(Domain& d, const Displacement& displacement, double T) {
   const auto& g = d.grid;
   Material m(g);
-  m.formulation = kMap;
+  m.formulation = SolidFormulation::kReferenceMap;
   m.surface_at_rest = 1.0;
   support::set_by_position(m.displacement.y, g, support::kFaceY,
                            [&](double x, double y, double) { return displacement(x, y); });
