@@ -53,10 +53,8 @@ git log -n 40 --format= --name-only --diff-filter=d -- '*.cpp' | awk '!seen[$0]+
 step "Build with address and undefined-behaviour sanitizers, in build-sanitize/"
 build sanitize
 step "Tests with sanitizers"
-# Open MPI keeps memory until the process ends; only our own leaks are of interest. Its plug-ins are gone by then, and
-# only the slow unwinder sees who had called them.
+# Open MPI keeps memory until the process ends; only our own leaks are of interest.
 export LSAN_OPTIONS="suppressions=$PWD/tests/sanitizer/leaks.txt:print_suppressions=0"
-export ASAN_OPTIONS=fast_unwind_on_malloc=0
 export UBSAN_OPTIONS=print_stacktrace=1
 # One rank each: what several ranks add is tested above, and instrumented ranks on few cores take minutes to wait.
 run_tests sanitize --label-exclude long --exclude-regex '[.]ranks[2-9]$|TakeLittleTime'
