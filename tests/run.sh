@@ -10,7 +10,7 @@ passed=0 failed=0 skipped=0
 step() { printf '\n== %s (%d min %02d s)\n' "$1" $((SECONDS / 60)) $((SECONDS % 60)); }
 
 build() {  # preset
-  cmake --preset "$1" -DSOFTWALL_TESTS=ON
+  cmake --preset "$1" -DSOFTWALL_TESTS=ON -DSOFTWALL_JOIN=ON
   cmake --build --preset "$1" --parallel "$jobs"
 }
 
