@@ -15,13 +15,17 @@ struct Stress {
   Fraction phi;
   View<const Real> Bxx, Byy, Bzz, Bxy, Bxz, Byz;
   Real G;
-  InterfaceShare share;
+  InterfaceShareView share;
   Real xx(int i, int j, int k) const { return G * phi.center(i, j, k) * (Bxx(i, j, k) - 1); }
   Real yy(int i, int j, int k) const { return G * phi.center(i, j, k) * (Byy(i, j, k) - 1); }
   Real zz(int i, int j, int k) const { return G * phi.center(i, j, k) * (Bzz(i, j, k) - 1); }
-  Real xy(int i, int j, int k) const { return G * share.solid(phi.edge_xy(i, j, k)) * Bxy(i, j, k); }
+  Real xy(int i, int j, int k) const {
+    return G * share_of_solid(phi.edge_xy(i, j, k), share.xy(i, k)) * Bxy(i, j, k);
+  }
   Real xz(int i, int j, int k) const { return G * phi.edge_xz(i, j, k) * Bxz(i, j, k); }
-  Real yz(int i, int j, int k) const { return G * share.solid(phi.edge_yz(i, j, k)) * Byz(i, j, k); }
+  Real yz(int i, int j, int k) const {
+    return G * share_of_solid(phi.edge_yz(i, j, k), share.yz(i, k)) * Byz(i, j, k);
+  }
 };
 
 }  // namespace
@@ -41,7 +45,7 @@ void ElasticForce::find(const Material& m, int first_row, int k) {
                                         m.B.xz.view(),
                                         m.B.yz.view(),
                                         G_,
-                                        share_},
+                                        share_.view()},
                                        g);
   const grid::Box centers{0, g.nx, first_row, g.ny, k, k + 1},
       faces{0, g.nx, std::max(first_row, 1), g.ny, k, k + 1};

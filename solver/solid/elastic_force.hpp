@@ -12,6 +12,7 @@ namespace softwall::solid {
 
 class ElasticForce {
  public:
+  /// `share` must outlive it.
   ElasticForce(double G, const InterfaceShare& share, const Grid& grid);
 
   /// The present force becomes that of the moment before. To be called before the material moves on.
@@ -28,7 +29,7 @@ class ElasticForce {
 
  private:
   Real G_;
-  InterfaceShare share_;
+  const InterfaceShare& share_;
   const Grid& grid_;
   grid::VectorField now_, before_;
 };

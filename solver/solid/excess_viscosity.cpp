@@ -19,14 +19,14 @@ struct ExcessStress {
   View<const Real> shear_xy, shear_yz;  ///< du/dy and dw/dy of the solid
   const Real *inv_dy, *inv_dy_face;
   Real inv_dx, inv_dz, ratio;
-  InterfaceShare share;
+  InterfaceShareView share;
   Real excess() const { return ratio - 1; }
   /// What mu_f g lacks at an edge: (1 - s) g_f + s mu_s / mu_f g_s - g. `mixed`: d/dy across the edge,
-  /// `solid`: of the solid, `along`: the other part of the shear, which both have.
-  Real lacking(Real fraction, Real mixed, Real solid, Real along) const {
-    const Real fluid = share.fluid(fraction);
+  /// `solid`: of the solid, `along`: the other part of the shear, which both have; a: of interface_share.hpp.
+  Real lacking(Real fraction, Real a, Real mixed, Real solid, Real along) const {
+    const Real fluid = factor_of_fluid(fraction, a);
     return (fluid - 1) * (mixed + along) +
-           (ratio * share.solid(fraction) - fluid * fraction) * (solid + along);
+           (ratio * share_of_solid(fraction, a) - fluid * fraction) * (solid + along);
   }
   Real xx(int i, int j, int k) const {
     return 2 * excess() * phi.center(i, j, k) * (u(i + 1, j, k) - u(i, j, k)) * inv_dx;
@@ -38,16 +38,16 @@ struct ExcessStress {
     return 2 * excess() * phi.center(i, j, k) * (w(i, j, k + 1) - w(i, j, k)) * inv_dz;
   }
   Real xy(int i, int j, int k) const {
-    return lacking(phi.edge_xy(i, j, k), (u(i, j, k) - u(i, j - 1, k)) * inv_dy_face[j], shear_xy(i, j, k),
-                   (v(i, j, k) - v(i - 1, j, k)) * inv_dx);
+    return lacking(phi.edge_xy(i, j, k), share.xy(i, k), (u(i, j, k) - u(i, j - 1, k)) * inv_dy_face[j],
+                   shear_xy(i, j, k), (v(i, j, k) - v(i - 1, j, k)) * inv_dx);
   }
   Real xz(int i, int j, int k) const {
     return excess() * phi.edge_xz(i, j, k) *
            ((u(i, j, k) - u(i, j, k - 1)) * inv_dz + (w(i, j, k) - w(i - 1, j, k)) * inv_dx);
   }
   Real yz(int i, int j, int k) const {
-    return lacking(phi.edge_yz(i, j, k), (w(i, j, k) - w(i, j - 1, k)) * inv_dy_face[j], shear_yz(i, j, k),
-                   (v(i, j, k) - v(i, j, k - 1)) * inv_dz);
+    return lacking(phi.edge_yz(i, j, k), share.yz(i, k), (w(i, j, k) - w(i, j - 1, k)) * inv_dy_face[j],
+                   shear_yz(i, j, k), (v(i, j, k) - v(i, j, k - 1)) * inv_dz);
   }
 };
 
@@ -87,7 +87,7 @@ ExcessStress stress_of(const Material& m, const grid::VectorField& velocity, con
           Real(1 / g.dx),
           Real(1 / g.dz),
           ratio,
-          share};
+          share.view()};
 }
 
 /// One row above the lowest row from which on all is solid, ghost columns too; ny when there is none.

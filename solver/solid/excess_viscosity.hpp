@@ -27,7 +27,8 @@ class ExcessViscosity {
  public:
   /// `ratio`: mu_s / mu_f. `solid_from`: an edge lies in the solid where phi, averaged to it, is at least
   /// this, and so it is all the way up the column; 0: every edge, so that its own shear counts (a body that
-  /// is not the top of its columns). `share`: of the shear stress of an edge on the interface.
+  /// is not the top of its columns). `share`: of the shear stress of an edge on the interface; must outlive
+  /// it.
   ExcessViscosity(double ratio, Real solid_from, const InterfaceShare& share, const Grid& grid);
 
   /// Finds the force, in rows from first_row on. Ghost cells of phi and of the velocity must be filled.
@@ -48,7 +49,7 @@ class ExcessViscosity {
 
   Real ratio_;  ///< mu_s / mu_f
   Real solid_from_;
-  InterfaceShare share_;
+  const InterfaceShare& share_;
   const Grid& grid_;
   grid::Field shear_xy_, shear_yz_;  ///< du/dy and dw/dy of the solid on edges
   grid::VectorField force_;

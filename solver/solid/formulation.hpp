@@ -40,7 +40,7 @@ class Formulation {
   /// (excess_viscosity.hpp).
   [[nodiscard]] virtual Real solid_from() const = 0;
   /// Whose stress an edge on the interface bears.
-  [[nodiscard]] virtual InterfaceShare interface_share() const = 0;
+  [[nodiscard]] virtual const InterfaceShare& interface_share() const = 0;
 
   /// Cells in which B was changed to keep it positive definite, on this rank, summed over substeps.
   [[nodiscard]] virtual std::int64_t limited_cells() const = 0;

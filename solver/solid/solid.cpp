@@ -34,7 +34,7 @@ Solid::Solid(const SolidSpec& spec, const Grid& grid, const parallel::Decomposit
       decomposition_(decomposition),
       formulation_(formulation_of(spec, grid, decomposition, halo)),
       force_(spec.G, formulation_->interface_share(), grid) {
-  const InterfaceShare share = formulation_->interface_share();
+  const InterfaceShare& share = formulation_->interface_share();
   if (spec.viscosity_ratio != 1 || !share.is_mean_by_volume())
     excess_viscosity_.emplace(spec.viscosity_ratio, formulation_->solid_from(), share, grid);
 }
@@ -72,7 +72,7 @@ SolidInput Solid::input(const Material& material) const {
     input.excess_viscous = &excess_viscosity_->force();
     input.excess_end_row = excess_viscosity_->end_row();
   }
-  input.interface_viscosity = interface_share().fluid(1);
+  input.interface_viscosity = interface_share().largest_factor();
   return input;
 }
 

@@ -52,7 +52,7 @@ class Solid {
   /// start of the program.
   [[nodiscard]] std::int64_t limited_cells() const { return formulation_->limited_cells(); }
   [[nodiscard]] int first_row() const { return first_row_; }
-  [[nodiscard]] InterfaceShare interface_share() const { return formulation_->interface_share(); }
+  [[nodiscard]] const InterfaceShare& interface_share() const { return formulation_->interface_share(); }
 
  private:
   [[nodiscard]] PlaneReady find_force(const Material& material);

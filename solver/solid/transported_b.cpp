@@ -47,6 +47,7 @@ TransportedB::TransportedB(const SolidSpec& spec, const Grid& grid,
       advection_(grid, spec.weno),
       now_{grid::Field(grid, 0), grid::TensorField(grid, 1)},
       before_{grid::Field(grid, 0), grid::TensorField(grid, 1)},
+      share_(kMeanByVolume, grid),
       edges_(grid) {
   if (spec.interface == InterfaceTransport::kMthinc) fraction_.emplace(grid, halo);
   if (spec.extension == Extension::kNormal) normal_.emplace(grid, decomposition, halo);

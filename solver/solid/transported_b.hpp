@@ -28,7 +28,7 @@ class TransportedB : public Formulation {
   [[nodiscard]] Real solid_from() const override { return normal_ ? Real(0) : Real(spec_.threshold); }
   /// The fluid's alone made a layer of 32 x 32 + 8 x 32 cells flutter (MTHINC, G = 1: v' 0.19 at the
   /// interface).
-  [[nodiscard]] InterfaceShare interface_share() const override { return kMeanByVolume; }
+  [[nodiscard]] const InterfaceShare& interface_share() const override { return share_; }
   /// By the limiter (limiter.hpp), since the start of the program.
   [[nodiscard]] std::int64_t limited_cells() const override { return limited_cells_; }
 
@@ -49,6 +49,7 @@ class TransportedB : public Formulation {
   Advection advection_;
   std::optional<FractionTransport> fraction_;  ///< moves phi, when the case asks for it; else advection_ does
   Rates now_, before_;
+  InterfaceShare share_;
   SolidEdges edges_;
   std::optional<NormalExtension> normal_;  ///< present when the case asks for it
   std::int64_t limited_cells_ = 0;

@@ -99,9 +99,11 @@ void add_solid_face_line(const time::State& s, const Grid& g, double G, const so
                          int j, int k, PlaneMeans& sums) {
   const solid::Fraction phi{s.material.phi.view(), g.upper_share.data()};
   const auto xy = s.material.B.xy.view();
+  const auto shared = share.view();
   double stress = 0;
 #pragma omp simd reduction(+ : stress)
-  for (int i = 0; i < g.nx; ++i) stress += share.solid(phi.edge_xy(i, j, k)) * xy(i, j, k);
+  for (int i = 0; i < g.nx; ++i)
+    stress += solid::share_of_solid(phi.edge_xy(i, j, k), shared.xy(i, k)) * xy(i, j, k);
   sums(kElasticStress, j) += G * stress;
 }
 

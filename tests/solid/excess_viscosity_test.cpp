@@ -21,6 +21,7 @@ class ExcessViscosityTest : public testing::TestWithParam<double> {
  protected:
   Domain d{MPI_COMM_WORLD, {13, 10, 12}, {3, 1.5}, support::faces(10, 2, GetParam())};
   Material m{d.grid};
+  InterfaceShare by_volume{kMeanByVolume, d.grid}, at_interface{kFluidAtFlatInterface, d.grid};
 
   template <class Value>
   void set_fraction(const Value& value) {
@@ -37,7 +38,7 @@ TEST_P(ExcessViscosityTest, InSolidAloneIsTheFluidsForceTimesTheExcess) {
   for (const double fraction : {0.95, 1.0}) {
     set_fraction([=](int, int, int) { return fraction; });
     const auto velocity = support::random_velocity(d, 3);
-    ExcessViscosity excess(kRatio, kSolidFrom, kMeanByVolume, g);
+    ExcessViscosity excess(kRatio, kSolidFrom, by_volume, g);
     excess.renew(m, velocity, 0);
     const auto viscous = support::momentum_input(velocity, g, 1),
                inviscid = support::momentum_input(velocity, g, 0);
@@ -68,7 +69,7 @@ TEST_P(ExcessViscosityTest, OfALinearFractionInLinearFlowIsExact) {
     return 0.1 + slope[0] * x + slope[1] * y + slope[2] * z;
   });
   const auto velocity = L.on(d.grid);
-  ExcessViscosity excess(kRatio, 0, kMeanByVolume, d.grid);
+  ExcessViscosity excess(kRatio, 0, by_volume, d.grid);
   excess.renew(m, velocity, 0);
   double exact[3] = {};
   for (int a = 0; a < 3; ++a) {
@@ -96,7 +97,7 @@ TEST_P(ExcessViscosityTest, AtTheInterfaceIsThatOfTheSolidsOwnShear) {
                             [&](double, double y, double) { return shear(y, solid_x); });
     support::set_everywhere(velocity.z, g, support::kFaceZ,
                             [&](double, double y, double) { return shear(y, solid_z); });
-    ExcessViscosity excess(kRatio, kSolidFrom, kMeanByVolume, g);
+    ExcessViscosity excess(kRatio, kSolidFrom, by_volume, g);
     excess.renew(m, velocity, interface - 3);
     const double half = kExcess * g.upper_share[interface];  // stress on the interface over the shear
     const double above = (kExcess - half) * g.inv_dy[interface], below = half * g.inv_dy[interface - 1];
@@ -129,7 +130,7 @@ TEST_P(ExcessViscosityTest, TheFluidsOwnShearCountsAtTheInterface) {
     return from * (from > 0 ? solids : fluids);
   });
   for (const double ratio : {1.0, kRatio}) {
-    ExcessViscosity excess(ratio, kSolidFrom, kFluidAtInterface, g);
+    ExcessViscosity excess(ratio, kSolidFrom, at_interface, g);
     excess.renew(m, velocity, interface - 3);
     const double phi = g.upper_share[interface], s = std::max(0.0, 2 * phi - 1);
     const double lacks = (1 - s) * fluids + s * ratio * solids - ((1 - phi) * fluids + phi * solids);
@@ -148,7 +149,7 @@ TEST_P(ExcessViscosityTest, MovesMomentumOnlyThroughTheUpperWall) {
   const auto& g = d.grid;
   set_fraction([=](int i, int j, int k) { return j < 4 ? 0 : (1 + support::noise(4, i, j, k)) / 2; });
   const auto velocity = support::random_velocity(d, 3);
-  ExcessViscosity excess(kRatio, kSolidFrom, kMeanByVolume, g);
+  ExcessViscosity excess(kRatio, kSolidFrom, by_volume, g);
   excess.renew(m, velocity, 2);
   auto sums = excess.shear_stress_sums(m, velocity, 2);
   parallel::sum(d.decomposition.all(), sums);

@@ -18,6 +18,7 @@ constexpr Real kFloor = 0.1;
 class Limiter : public testing::TestWithParam<double> {
  protected:
   Domain d{MPI_COMM_WORLD, {14, 10, 13}, {}, support::faces(10, 2, GetParam())};
+  InterfaceShare by_volume{kMeanByVolume, d.grid};
 
   /// Noise around the identity, large enough that many cells are not positive definite.
   Material rough() {
@@ -42,7 +43,7 @@ class Limiter : public testing::TestWithParam<double> {
     d.halo.fill({&m.B.xy, &m.B.yz}, {0, d.grid.ny + 1});
   }
   ElasticForce force_of(const Material& m) const {
-    ElasticForce force(1.0, kMeanByVolume, d.grid);
+    ElasticForce force(1.0, by_volume, d.grid);
     force.find(m, 0);
     return force;
   }

@@ -71,9 +71,9 @@ TEST(Profiles, StressesAreTheFluxesOfTheMomentumEquation) {
     const auto s = rough_state(setup);
     const auto& g = setup.grid;
     const auto m = support::momentum_input(s.velocity, g, setup.viscosity);
-    solid::ExcessViscosity excess(s.elastic ? physics.solid->viscosity_ratio : 1, 0.9, solid::kMeanByVolume,
-                                  g);
-    solid::ElasticForce elastic(s.elastic ? physics.solid->G : 0, solid::kMeanByVolume, g);
+    const solid::InterfaceShare by_volume(solid::kMeanByVolume, g);
+    solid::ExcessViscosity excess(s.elastic ? physics.solid->viscosity_ratio : 1, 0.9, by_volume, g);
+    solid::ElasticForce elastic(s.elastic ? physics.solid->G : 0, by_volume, g);
     if (s.elastic) {
       elastic.find(s.material, 0);
       excess.renew(s.material, s.velocity, 0);

@@ -28,7 +28,8 @@ ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid, grid::Halo& ha
       own_heights_(grid, 1),
       wide_heights_(grid, 2),
       extrapolation_(grid),
-      fractions_(grid) {}
+      fractions_(grid),
+      share_(kFluidAtFlatInterface, grid) {}
 
 int ReferenceMap::lowest_row(const Material& m) {
   own_heights_.find(m.displacement.y, m.surface_at_rest);
@@ -85,9 +86,17 @@ void ReferenceMap::make_consistent(Material& m, int first_row, const PlaneReady&
   fill_beyond_walls(m.displacement, first_row);
   halo_.fill({&m.displacement.x, &m.displacement.y, &m.displacement.z}, span);
   wide_heights_.find(m.displacement.y, m.surface_at_rest);
+  const double row_height = row_height_at(m.surface_at_rest);
+  share_.follow([&](int i, int k) { return wide_heights_.flatness(i, k, row_height); });
   fractions_.fill(wide_heights_, first_row, m.phi);
   continue_fraction(m, first_row);
   find_strain(m, first_row, ready);
+}
+
+double ReferenceMap::row_height_at(double y) const {
+  int row = grid_.ny - 1;
+  while (row > 0 && grid_.y_face[row] > y) --row;
+  return grid_.dy[row];
 }
 
 /// Odd about a wall for the components along it; even for d_y, whose first derivative vanishes there with the

@@ -26,7 +26,7 @@ class ReferenceMap : public Formulation {
                  int first_row, const PlaneReady& ready) override;
   /// Under a flat surface: both rows whose difference it takes have their centers in the solid.
   [[nodiscard]] Real solid_from() const override { return Real(0.75); }
-  [[nodiscard]] InterfaceShare interface_share() const override { return kFluidAtInterface; }
+  [[nodiscard]] const InterfaceShare& interface_share() const override { return share_; }
   /// With any solid in them and det A below kLeastVolume (strain.hpp).
   [[nodiscard]] std::int64_t limited_cells() const override { return limited_cells_; }
 
@@ -35,6 +35,7 @@ class ReferenceMap : public Formulation {
                int first_row);
   void update(grid::VectorField& displacement, const Stage& stage, double dt, const RowsOfAPlane& rows);
   void extend_below_surface(Material& material, int first_row);
+  [[nodiscard]] double row_height_at(double y) const;
   void fill_beyond_walls(grid::VectorField& displacement, int first_row) const;
   void find_strain(Material& material, int first_row, const PlaneReady& ready);
   void continue_fraction(Material& material, int first_row) const;
@@ -50,6 +51,7 @@ class ReferenceMap : public Formulation {
   Heights own_heights_, wide_heights_;
   Extrapolation extrapolation_;
   CellFractions fractions_;
+  InterfaceShare share_;
   std::int64_t limited_cells_ = 0;
 };
 

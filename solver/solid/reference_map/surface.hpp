@@ -22,6 +22,14 @@ class Heights {
   /// Address of column (0, k).
   [[nodiscard]] const double* row(int k) const { return values_.data() + offset(k); }
 
+  /// 1 / (1 + r^2), with r the rise of the surface from a column to the next over `row_height`: 1 where it is
+  /// flat. For columns with neighbours on all sides.
+  [[nodiscard]] double flatness(int i, int k, double row_height) const {
+    const double in_x = (row(k)[i + 1] - row(k)[i - 1]) / (2 * row_height),
+                 in_z = (row(k + 1)[i] - row(k - 1)[i]) / (2 * row_height);
+    return 1 / (1 + in_x * in_x + in_z * in_z);
+  }
+
   /// Follows every column down from the upper wall to where y - d_y first falls to `at_rest`, linear between
   /// faces; where it never does, the solid reaches the lower wall. `displacement`: d_y on y faces.
   void find(const grid::Field& displacement, double at_rest);

@@ -44,6 +44,26 @@ TEST(Heights, OfALinearDisplacementAreExact) {
   EXPECT_EQ(heights.lowest(), lowest);
 }
 
+TEST(Heights, AreAsFlatAsTheyRiseFromColumnToColumn) {
+  Domain d(MPI_COMM_WORLD, {9, 16, 8}, {}, support::faces(16, 2, 1.0));
+  const auto eta = [](double x, double z) { return kAtRest + 0.2 * std::sin(kTau * x / 3 + kTau * z / 1.5); };
+  const auto displacement = raised(d, eta);
+  Heights heights(d.grid, 2);
+  heights.find(displacement.y, kAtRest);
+  const double row_height = 0.1, dx = d.grid.dx, dz = d.grid.dz;
+  for (int k = -1; k <= d.grid.nz; ++k) {
+    for (int i = -1; i <= d.grid.nx; ++i) {
+      const double x = (d.grid.x_begin + i + 0.5) * dx, z = (d.grid.z_begin + k + 0.5) * dz;
+      const double in_x = (eta(x + dx, z) - eta(x - dx, z)) / 2 / row_height,
+                   in_z = (eta(x, z + dz) - eta(x, z - dz)) / 2 / row_height;
+      EXPECT_NEAR(heights.flatness(i, k, row_height), 1 / (1 + in_x * in_x + in_z * in_z), 1e-12);
+    }
+  }
+  grid::VectorField none(d.grid, 3);
+  heights.find(none.y, kAtRest);
+  EXPECT_EQ(heights.flatness(0, 0, row_height), 1);
+}
+
 TEST(Heights, ReachTheWallWhereThereIsNoSurface) {
   Domain d(MPI_COMM_WORLD, {6, 8, 6}, {}, support::faces(8));
   grid::VectorField displacement(d.grid, 3);
