@@ -1,6 +1,5 @@
 #include "solver/solid/elastic_force.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "solver/solid/fraction.hpp"
@@ -47,14 +46,7 @@ void ElasticForce::find(const Material& m, int first_row, int k) {
                                         G_,
                                         share_.view()},
                                        g);
-  const grid::Box centers{0, g.nx, first_row, g.ny, k, k + 1},
-      faces{0, g.nx, std::max(first_row, 1), g.ny, k, k + 1};
-  assign(
-      centers, [=](int i, int j, int plane) { return force.x(i, j, plane); }, now_.x);
-  assign(
-      faces, [=](int i, int j, int plane) { return force.y(i, j, plane); }, now_.y);
-  assign(
-      centers, [=](int i, int j, int plane) { return force.z(i, j, plane); }, now_.z);
+  assign({0, g.nx, first_row, g.ny, k, k + 1}, force, now_);
 }
 
 void ElasticForce::find(const Material& material, int first_row) {

@@ -113,18 +113,6 @@ ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const InterfaceS
       shear_yz_(grid, 1),
       force_(grid, 0) {}
 
-template <class Force>
-void ExcessViscosity::find_force(const Force& force, int first_row) {
-  const auto centers = grid::rows(grid_, first_row, end_row_),
-             faces = grid::rows(grid_, std::max(first_row, 1), end_row_);
-  assign(
-      centers, [=](int i, int j, int k) { return force.x(i, j, k); }, force_.x);
-  assign(
-      faces, [=](int i, int j, int k) { return force.y(i, j, k); }, force_.y);
-  assign(
-      centers, [=](int i, int j, int k) { return force.z(i, j, k); }, force_.z);
-}
-
 void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity, int first_row) {
   const auto& g = grid_;
   const Fraction phi = fraction_of(m, g);
@@ -134,10 +122,11 @@ void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity
   find_shear_xy(phi, velocity, solid_from_, g, first_row, end_row_, shear_xy_);
   find_shear(velocity.z, on_yz, solid_from_, g, first_row, end_row_, shear_yz_);
   const ExcessStress stress = stress_of(m, velocity, shear_xy_, shear_yz_, ratio_, share_, g);
+  const auto band = grid::rows(g, first_row, end_row_);
   if (ratio_ == 1) {
-    find_force(ShearDivergence(stress, g), first_row);
+    assign(band, ShearDivergence(stress, g), force_);
   } else {
-    find_force(StressDivergence(stress, g), first_row);
+    assign(band, StressDivergence(stress, g), force_);
   }
 }
 

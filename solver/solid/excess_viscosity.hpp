@@ -44,9 +44,6 @@ class ExcessViscosity {
                                                       const grid::VectorField& velocity, int first_row) const;
 
  private:
-  template <class Force>
-  void find_force(const Force& force, int first_row);
-
   Real ratio_;  ///< mu_s / mu_f
   Real solid_from_;
   const InterfaceShare& share_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "solver/grid/cell_loop.hpp"
 #include "solver/grid/field.hpp"
 
@@ -54,11 +56,15 @@ struct ShearDivergence {
   Real z(int i, int j, int k) const { return (s.yz(i, j + 1, k) - s.yz(i, j, k)) * inv_dy[j]; }
 };
 
-/// Writes one component of a force, component(i, j, k), to the cells of a box.
-template <class Component>
-void assign(const grid::Box& box, const Component& component, grid::Field& force) {
-  const auto out = force.view();
-  grid::for_each_cell(box, [=](int i, int j, int k) { out(i, j, k) = component(i, j, k); });
+/// Writes a force to the faces of a box of cells, but for y faces on the lower wall, row 0.
+template <class Force>
+void assign(const grid::Box& box, const Force& force, grid::VectorField& out) {
+  grid::Box above_wall = box;
+  above_wall.j0 = std::max(box.j0, 1);
+  const auto x = out.x.view(), y = out.y.view(), z = out.z.view();
+  grid::for_each_cell(box, [=](int i, int j, int k) { x(i, j, k) = force.x(i, j, k); });
+  grid::for_each_cell(above_wall, [=](int i, int j, int k) { y(i, j, k) = force.y(i, j, k); });
+  grid::for_each_cell(box, [=](int i, int j, int k) { z(i, j, k) = force.z(i, j, k); });
 }
 
 }  // namespace softwall::solid
