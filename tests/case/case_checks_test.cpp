@@ -8,10 +8,13 @@ namespace {
 using nlohmann::json;
 using tests::complaint_about;
 
-json elastic_with(const char* pointer, const json& value) {
-  json document = tests::elastic_document();
+json with(json document, const char* pointer, const json& value) {
   document[json::json_pointer(pointer)] = value;
   return document;
+}
+
+json elastic_with(const char* pointer, const json& value) {
+  return with(tests::elastic_document(), pointer, value);
 }
 
 void expect_complaint(const json& document, const std::string& part) {
@@ -43,11 +46,7 @@ TEST(CaseChecks, ARigidChannelHasNone) {
   expect_complaint(document, "/physics/grid/ny_solid: 8; must be 0");
 }
 
-json box_with(const char* pointer, const json& value) {
-  json document = tests::box_document();
-  document[json::json_pointer(pointer)] = value;
-  return document;
-}
+json box_with(const char* pointer, const json& value) { return with(tests::box_document(), pointer, value); }
 
 TEST(CaseChecks, AClosedBoxIsFlatAndUniform) {
   EXPECT_EQ(complaint_about(tests::box_document()), "");
@@ -86,9 +85,7 @@ TEST(CaseChecks, AChannelIsNoBox) {
 }
 
 json wave_with(const char* pointer, const json& value) {
-  json document = tests::wave_document();
-  document[json::json_pointer(pointer)] = value;
-  return document;
+  return with(tests::wave_document(), pointer, value);
 }
 
 TEST(CaseChecks, AWaveNeedsItsLayerAndItsRate) {

@@ -26,17 +26,24 @@ grid::VectorField raised(Domain& d, const Eta& eta) {
   return displacement;
 }
 
-TEST(Heights, OfALinearDisplacementAreExact) {
-  Domain d(MPI_COMM_WORLD, {9, 16, 8}, {}, support::faces(16, 2, 1.0));
-  const auto eta = [](double x, double z) { return kAtRest + 0.2 * std::sin(kTau * x / 3 + kTau * z / 1.5); };
-  const auto displacement = raised(d, eta);
-  Heights heights(d.grid, 2);
-  heights.find(displacement.y, kAtRest);
+/// Of a surface that rises and falls along x and z.
+class WavyHeights : public testing::Test {
+ protected:
+  Domain d{MPI_COMM_WORLD, {9, 16, 8}, {}, support::faces(16, 2, 1.0)};
+  Heights heights{d.grid, 2};
+
+  WavyHeights() { heights.find(raised(d, eta).y, kAtRest); }
+  static double eta(double x, double z) { return kAtRest + 0.2 * std::sin(kTau * x / 3 + kTau * z / 1.5); }
+  double eta_over(int i, int k) const {
+    return eta((d.grid.x_begin + i + 0.5) * d.grid.dx, (d.grid.z_begin + k + 0.5) * d.grid.dz);
+  }
+};
+
+TEST_F(WavyHeights, OfALinearDisplacementAreExact) {
   double lowest = 2;
   for (int k = -2; k < d.grid.nz + 2; ++k) {
     for (int i = -2; i < d.grid.nx + 2; ++i) {
-      const double x = (d.grid.x_begin + i + 0.5) * d.grid.dx, z = (d.grid.z_begin + k + 0.5) * d.grid.dz;
-      EXPECT_NEAR(heights(i, k), eta(x, z), 1e-13);
+      EXPECT_NEAR(heights(i, k), eta_over(i, k), 1e-13);
       const bool own = i >= 0 && i < d.grid.nx && k >= 0 && k < d.grid.nz;
       if (own) lowest = std::min(lowest, heights(i, k));
     }
@@ -44,22 +51,16 @@ TEST(Heights, OfALinearDisplacementAreExact) {
   EXPECT_EQ(heights.lowest(), lowest);
 }
 
-TEST(Heights, AreAsFlatAsTheyRiseFromColumnToColumn) {
-  Domain d(MPI_COMM_WORLD, {9, 16, 8}, {}, support::faces(16, 2, 1.0));
-  const auto eta = [](double x, double z) { return kAtRest + 0.2 * std::sin(kTau * x / 3 + kTau * z / 1.5); };
-  const auto displacement = raised(d, eta);
-  Heights heights(d.grid, 2);
-  heights.find(displacement.y, kAtRest);
-  const double row_height = 0.1, dx = d.grid.dx, dz = d.grid.dz;
+TEST_F(WavyHeights, AreAsFlatAsTheyRiseFromColumnToColumn) {
+  const double row_height = 0.1;
   for (int k = -1; k <= d.grid.nz; ++k) {
     for (int i = -1; i <= d.grid.nx; ++i) {
-      const double x = (d.grid.x_begin + i + 0.5) * dx, z = (d.grid.z_begin + k + 0.5) * dz;
-      const double in_x = (eta(x + dx, z) - eta(x - dx, z)) / 2 / row_height,
-                   in_z = (eta(x, z + dz) - eta(x, z - dz)) / 2 / row_height;
+      const double in_x = (eta_over(i + 1, k) - eta_over(i - 1, k)) / 2 / row_height,
+                   in_z = (eta_over(i, k + 1) - eta_over(i, k - 1)) / 2 / row_height;
       EXPECT_NEAR(heights.flatness(i, k, row_height), 1 / (1 + in_x * in_x + in_z * in_z), 1e-12);
     }
   }
-  grid::VectorField none(d.grid, 3);
+  const grid::VectorField none(d.grid, 3);
   heights.find(none.y, kAtRest);
   EXPECT_EQ(heights.flatness(0, 0, row_height), 1);
 }
