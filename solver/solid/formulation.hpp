@@ -27,6 +27,9 @@ class Formulation {
   /// ghost cells, nothing derived.
   [[nodiscard]] virtual int lowest_row(const Material& material) = 0;
 
+  /// Rows worked on below that row.
+  [[nodiscard]] virtual int margin() const = 0;
+
   /// Fills ghost cells and derives, in rows from first_row on, what is not in the state. Done again, it
   /// changes no bit: a restart does.
   virtual void make_consistent(Material& material, int first_row, const PlaneReady& ready) = 0;
@@ -42,7 +45,7 @@ class Formulation {
   /// Whose stress an edge on the interface bears.
   [[nodiscard]] virtual const InterfaceShare& interface_share() const = 0;
 
-  /// Cells in which B was changed to keep it positive definite, on this rank, summed over substeps.
+  /// Cells in which B had to be changed, or is not to be trusted, on this rank, summed over substeps.
   [[nodiscard]] virtual std::int64_t limited_cells() const = 0;
 };
 

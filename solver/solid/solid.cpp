@@ -14,9 +14,6 @@ namespace softwall::solid {
 
 namespace {
 
-/// The band of rows worked on starts kBandMargin rows below the lowest row that holds solid.
-constexpr int kBandMargin = 4;
-
 std::unique_ptr<Formulation> formulation_of(const SolidSpec& spec, const Grid& grid,
                                             const parallel::Decomposition& decomposition, grid::Halo& halo) {
   if (spec.formulation == SolidFormulation::kReferenceMap) {
@@ -53,7 +50,7 @@ void Solid::renew_band(Material& material) {
 
 int Solid::find_first_row(const Material& material) const {
   const auto lowest = parallel::minimum(decomposition_.all(), formulation_->lowest_row(material));
-  return std::max(0, static_cast<int>(lowest) - kBandMargin);
+  return std::max(0, static_cast<int>(lowest) - formulation_->margin());
 }
 
 PlaneReady Solid::find_force(const Material& material) {
@@ -109,7 +106,7 @@ Material flat_layer(const Grid& g, SolidFormulation formulation) {
   grid::for_each_cell(grid::rows(g, g.ny_fluid, g.ny), [=](int i, int j, int k) { phi(i, j, k) = 1; });
   for (grid::Field* normal : {&m.B.xx, &m.B.yy, &m.B.zz}) {
     const auto q = normal->view();
-    grid::for_each_cell(grid::rows(g, std::max(0, g.ny_fluid - 2 * kBandMargin), g.ny),
+    grid::for_each_cell(grid::rows(g, std::max(0, g.ny_fluid - 2 * TransportedB::kMargin), g.ny),
                         [=](int i, int j, int k) { q(i, j, k) = 1; });
   }
   return m;

@@ -17,10 +17,14 @@ namespace softwall::solid {
 
 class TransportedB : public Formulation {
  public:
+  /// WENO reads three rows below the lowest of phi, which rises and falls by one in a step.
+  static constexpr int kMargin = 4;
+
   TransportedB(const SolidSpec& spec, const Grid& grid, const parallel::Decomposition& decomposition,
                grid::Halo& halo);
 
   [[nodiscard]] int lowest_row(const Material& material) override;
+  [[nodiscard]] int margin() const override { return kMargin; }
   void make_consistent(Material& material, int first_row, const PlaneReady& ready) override;
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
                  int first_row, const PlaneReady& ready) override;

@@ -88,7 +88,8 @@ TEST_F(RegridTest, EqualGridsAreCopied) {
     elastic.solid->formulation = SolidFormulation::kReferenceMap;
     time::Setup with_map(elastic, world_.get());
     time::State mapped = start_from_precursor(file, initial(), with_map);
-    EXPECT_EQ(difference(mapped.velocity.x, state.velocity.x), 0);
+    // The bands of the two begin in other rows, so the flow rate is summed in another order.
+    EXPECT_LT(difference(mapped.velocity.x, state.velocity.x), 1e-14);
     EXPECT_EQ(
         support::largest_difference(support::global_values(mapped.material.phi, target.grid, 12, world_),
                                     support::global_values(state.material.phi, target.grid, 12, world_)),
@@ -136,7 +137,7 @@ TEST_F(RegridTest, OtherGridsGetSecondOrder) {
   EXPECT_GT(support::last_order(p_errors), 1.5) << p_errors[0] << " " << p_errors[1] << " " << p_errors[2];
 }
 
-TEST_F(RegridTest, AnotherPrecursorOrBoxIsRefusedWithBothValues) {
+TEST_F(RegridTest, AnotherPrecursorTimeOrBoxIsRefusedWithBothValues) {
   time::Setup source(support::rigid_channel({12, 8, 0, 12}), world_.get());
   time::State flow = time::state_at_rest(source.grid, false);
   const auto file = write(flow, source);
@@ -155,6 +156,10 @@ TEST_F(RegridTest, AnotherPrecursorOrBoxIsRefusedWithBothValues) {
   other.precursor = "ffffffffffffffff";
   EXPECT_NE(message(other, elastic).find("ffffffffffffffff"), std::string::npos);
   EXPECT_NE(message(other, elastic).find(kCaseId), std::string::npos);
+  InitialSpec later = initial();
+  later.precursor_time = 2.5;
+  EXPECT_NE(message(later, elastic).find("is of time 0.0"), std::string::npos);
+  EXPECT_NE(message(later, elastic).find("has reached 2.5"), std::string::npos);
   Physics longer = elastic;
   longer.length_x = 4;
   EXPECT_NE(message(initial(), longer).find("length in x is 3"), std::string::npos);
