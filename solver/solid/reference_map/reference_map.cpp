@@ -23,7 +23,7 @@ ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid, grid::Halo& ha
       speeds_(grid),
       now_(grid, 0),
       before_(grid, 0),
-      volume_(grid, 1),
+      volume_error_(grid, 1),
       strain_(grid),
       own_heights_(grid, 1),
       wide_heights_(grid, 2),
@@ -43,14 +43,14 @@ void ReferenceMap::transport(Material& m, const grid::VectorField& velocity, con
                              int first_row, const PlaneReady& ready) {
   advance(m, velocity, stage, dt, first_row);
   extend_below_surface(m, first_row);
-  make_consistent(m, first_row, ready);
+  limited_cells_ += derive(m, first_row, ready);
 }
 
 /// A plane is updated as soon as no other one's rates read it: in one sweep, while it is in the cache.
 void ReferenceMap::advance(Material& m, const grid::VectorField& velocity, const Stage& stage, double dt,
                            int first_row) {
   speeds_.set(dt);
-  const VolumeRelaxation relaxation(speeds_, m.phi, volume_);
+  const VolumeRelaxation relaxation(speeds_, volume_error_);
   for (int k = 0; k < grid_.nz + kGhost; ++k) {
     if (k < grid_.nz) find_rates(m.displacement, velocity, relaxation, grid_, weights_, {k, first_row}, now_);
     if (k >= kGhost) update(m.displacement, stage, dt, {k - kGhost, first_row});
@@ -82,6 +82,11 @@ void ReferenceMap::extend_below_surface(Material& m, int first_row) {
 }
 
 void ReferenceMap::make_consistent(Material& m, int first_row, const PlaneReady& ready) {
+  derive(m, first_row, ready);
+}
+
+/// Returns the number of torn cells.
+std::int64_t ReferenceMap::derive(Material& m, int first_row, const PlaneReady& ready) {
   const grid::RowSpan span{first_row > kGhost ? first_row - kGhost : -kGhost, grid_.ny + kGhost};
   fill_beyond_walls(m.displacement, first_row);
   halo_.fill({&m.displacement.x, &m.displacement.y, &m.displacement.z}, span);
@@ -90,7 +95,7 @@ void ReferenceMap::make_consistent(Material& m, int first_row, const PlaneReady&
   share_.follow([&](int i, int k) { return wide_heights_.flatness(i, k, row_height); });
   fractions_.fill(wide_heights_, first_row, m.phi);
   continue_fraction(m, first_row);
-  find_strain(m, first_row, ready);
+  return find_strain(m, first_row, ready);
 }
 
 double ReferenceMap::row_height_at(double y) const {
@@ -132,19 +137,11 @@ void ReferenceMap::continue_fraction(Material& m, int first_row) const {
   grid::for_each_cell(around(-1), [=](int i, int j, int k) { phi(i, j, k) = phi(i, 0, k); });
 }
 
-void ReferenceMap::find_strain(Material& m, int first_row, const PlaneReady& ready) {
-  const Real least_volume = strain_.run(strain_of(m.displacement, grid_), first_row,
-                                        {m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(),
-                                         m.B.xz.view(), m.B.yz.view(), volume_.view()},
-                                        ready);
-  if (least_volume < kLeastVolume) limited_cells_ += count_torn_cells(m.phi, first_row);
-}
-
-std::int64_t ReferenceMap::count_torn_cells(const grid::Field& fraction, int first_row) const {
-  const auto phi = fraction.view(), volume = volume_.view();
-  return static_cast<std::int64_t>(grid::sum_cells(
-      grid::rows(grid_, first_row, grid_.ny),
-      [=](int i, int j, int k) { return phi(i, j, k) > 0 && volume(i, j, k) < kLeastVolume ? 1.0 : 0.0; }));
+std::int64_t ReferenceMap::find_strain(Material& m, int first_row, const PlaneReady& ready) {
+  return strain_.run(strain_of(m.displacement, grid_), std::as_const(m.phi).view(), first_row,
+                     {m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(),
+                      m.B.yz.view(), volume_error_.view()},
+                     ready);
 }
 
 }  // namespace softwall::solid::reference_map

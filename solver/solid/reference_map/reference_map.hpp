@@ -10,10 +10,11 @@
 
 /// The reference map (Kamrin, Rycroft & Nave, J. Mech. Phys. Solids 60, 2012; Rycroft, Wu, Yu & Kamrin, J.
 /// Fluid Mech. 898, 2020): instead of phi and B the solid carries where its material came from, x - d,
-///   d^k = d^{k-1} + dt [ beta (u - u.grad d)^{k-1} + gamma (u - u.grad d)^{k-2} ]
+///   d^k = d^{k-1} + dt [ beta r^{k-1} + gamma r^{k-2} ],   r = u - u.grad d - what relaxes volume
+///   (volume.hpp)
 /// and both follow from d: B from its gradient (strain.hpp), phi from the material surface y - d_y = its
 /// height at rest (surface.hpp). Nothing is stretched by the fluid, nothing smears. Below the surface d is
-/// extrapolated after every substep (extrapolation.hpp). Where the solid touches a wall it holds fast: d = 0.
+/// extrapolated after every substep (extrapolation.hpp). On the upper wall it holds fast: d = 0.
 namespace softwall::solid::reference_map {
 
 class ReferenceMap : public Formulation {
@@ -31,7 +32,7 @@ class ReferenceMap : public Formulation {
   /// Under a flat surface: both rows whose difference it takes have their centers in the solid.
   [[nodiscard]] Real solid_from() const override { return Real(0.75); }
   [[nodiscard]] const InterfaceShare& interface_share() const override { return share_; }
-  /// With any solid in them and det A below kLeastVolume (strain.hpp).
+  /// Torn cells (strain.hpp).
   [[nodiscard]] std::int64_t limited_cells() const override { return limited_cells_; }
 
  private:
@@ -41,16 +42,16 @@ class ReferenceMap : public Formulation {
   void extend_below_surface(Material& material, int first_row);
   [[nodiscard]] double row_height_at(double y) const;
   void fill_beyond_walls(grid::VectorField& displacement, int first_row) const;
-  void find_strain(Material& material, int first_row, const PlaneReady& ready);
+  std::int64_t derive(Material& material, int first_row, const PlaneReady& ready);
+  [[nodiscard]] std::int64_t find_strain(Material& material, int first_row, const PlaneReady& ready);
   void continue_fraction(Material& material, int first_row) const;
-  [[nodiscard]] std::int64_t count_torn_cells(const grid::Field& phi, int first_row) const;
 
   const Grid& grid_;
   WenoWeights weights_;
   grid::Halo& halo_;
   RelaxationSpeeds speeds_;
   grid::VectorField now_, before_;  ///< r^{k-1}, r^{k-2}
-  grid::Field volume_;              ///< det A at centers
+  grid::Field volume_error_;        ///< at centers
   StrainSweep strain_;
   Heights own_heights_, wide_heights_;
   Extrapolation extrapolation_;

@@ -19,8 +19,9 @@ namespace softwall::solid::reference_map {
 using grid::Real;
 using grid::View;
 
-/// det A below it is taken for it: only a displacement torn apart by the grid gets there.
-inline constexpr Real kLeastVolume = 0.1;
+/// det A below or above them: only a displacement torn apart by the grid gets there. What is below is taken
+/// for kLeastVolume; above, B is too small.
+inline constexpr Real kLeastVolume = 0.1, kLargestVolume = 20;
 
 /// A = I - grad(d) at one point; xy is -d(d_x)/dy.
 struct MapGradient {

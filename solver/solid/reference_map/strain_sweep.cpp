@@ -13,11 +13,12 @@ template <class Kernel>
   for (int i = -1; i <= nx; ++i) kernel(i);
 }
 
-/// The smallest of a row's values and of what was the smallest before.
-Real least_of(const Real* row, int n, Real least) {
-#pragma omp simd reduction(min : least)
-  for (int i = 0; i < n; ++i) least = row[i] < least ? row[i] : least;
-  return least;
+/// With any solid in them, of n cells side by side.
+std::int64_t torn_cells(const Real* phi, const Real* J, int n) {
+  std::int64_t torn = 0;
+#pragma omp simd reduction(+ : torn)
+  for (int i = 0; i < n; ++i) torn += phi[i] > 0 && (J[i] < kLeastVolume || J[i] > kLargestVolume) ? 1 : 0;
+  return torn;
 }
 
 /// Element 0 of a row is that of column 0.
@@ -35,6 +36,7 @@ StrainSweep::StrainSweep(const Grid& g) : nx_(g.nx), ny_(g.ny), nz_(g.nz) {
       for (Row* r : {&means->xx, &means->yy, &means->zz, &means->xz, &means->zx}) r->resize(length);
     }
   }
+  determinant_.resize(length);
   for (FaceRow* row : {&low_, &high_}) {
     for (auto* halves : {&row->to_center, &row->to_xz}) {
       for (Row* r : {&halves->xy, &halves->yx, &halves->yz, &halves->zy}) r->resize(length);
@@ -42,8 +44,9 @@ StrainSweep::StrainSweep(const Grid& g) : nx_(g.nx), ny_(g.ny), nz_(g.nz) {
   }
 }
 
-Real StrainSweep::run(const Strain& strain, int first_row, const StrainFields& to, const PlaneReady& ready) {
-  Real least = 1;
+std::int64_t StrainSweep::run(const Strain& strain, View<const Real> phi, int first_row,
+                              const StrainFields& to, const PlaneReady& ready) {
+  std::int64_t torn = 0;
   for (int k = -1; k <= nz_; ++k) {
     average(below_, strain, first_row - 1, k);
     average(low_, strain, first_row, k);
@@ -54,14 +57,14 @@ Real StrainSweep::run(const Strain& strain, int first_row, const StrainFields& t
       std::swap(below_, above_);
       if (j == ny_) break;
       average(high_, strain, j + 1, k);
-      centers(strain, j, k, to);
-      least = least_of(&to.determinant(0, j, k), nx_, least);
+      const Real* const J = centers(strain, phi, j, k, to);
+      if (k >= 0 && k < nz_) torn += torn_cells(&phi(0, j, k), J, nx_);
       edges_xz(strain, j, k, to.xz);
       std::swap(low_, high_);
     }
     if (k > 0) ready(k - 1);
   }
-  return least;
+  return torn;
 }
 
 void StrainSweep::average(CellRow& row, const Strain& s, int j, int k) const {
@@ -112,7 +115,10 @@ void StrainSweep::average(FaceRow& row, const Strain& s, int j, int k) const {
   });
 }
 
-void StrainSweep::centers(const Strain& s, int j, int k, const StrainFields& to) const {
+/// Returns det A of the row, valid until the next one.
+const Real* StrainSweep::centers(const Strain& s, View<const Real> phi, int j, int k,
+                                 const StrainFields& to) {
+  Real* const determinant = first(determinant_);
   const auto x = s.x, y = s.y, z = s.z;
   const auto &a = low_.to_center, &b = high_.to_center;
   const Real *const xy0 = first(a.xy), *const xy1 = first(b.xy), *const yx0 = first(a.yx),
@@ -130,11 +136,13 @@ void StrainSweep::centers(const Strain& s, int j, int k, const StrainFields& to)
                         zy0[i] + zy1[i],
                         1 - inv_dz * (z(i, j, k + 1) - z(i, j, k))};
     const Real J = A.determinant(), factor = volume_factor(J);
-    to.determinant(i, j, k) = J;
+    determinant[i] = J;
+    to.volume_error(i, j, k) = volume_error(phi(i, j, k), J);
     to.xx(i, j, k) = factor * A.square_x();
     to.yy(i, j, k) = factor * A.square_y();
     to.zz(i, j, k) = factor * A.square_z();
   });
+  return determinant;
 }
 
 void StrainSweep::edges_xz(const Strain& s, int j, int k, View<Real> to) const {

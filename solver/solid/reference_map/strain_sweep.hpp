@@ -1,22 +1,24 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
 
 #include "solver/parallel/line_memory.hpp"
 #include "solver/solid/formulation.hpp"
 #include "solver/solid/reference_map/strain.hpp"
+#include "solver/solid/reference_map/volume.hpp"
 
-/// B and det A of strain.hpp in a whole band of rows, with the gradients that neighbouring places share
-/// averaged once. Each gradient has a place of its own and is wanted at three others, as a mean over two
-/// directions. Of those that are averaged over y, the mean over the other direction is kept for a row of
-/// cells, or of y faces, until the next row above: so everything read again is in a core's own cache.
+/// B of strain.hpp and the error of volume of volume.hpp in a whole band of rows, with the gradients that
+/// neighbouring places share averaged once. Each gradient has a place of its own and is wanted at three
+/// others, as a mean over two directions. Of those that are averaged over y, the mean over the other
+/// direction is kept for a row of cells, or of y faces, until the next row above: so everything read again is
+/// in a core's own cache.
 namespace softwall::solid::reference_map {
 
 using grid::Grid;
 
-/// Where a sweep writes: components of B where they live, det A at centers.
+/// Where a sweep writes: components of B where they live, the error of volume at centers.
 struct StrainFields {
-  View<Real> xx, yy, zz, xy, xz, yz, determinant;
+  View<Real> xx, yy, zz, xy, xz, yz, volume_error;
 };
 
 class StrainSweep {
@@ -24,9 +26,10 @@ class StrainSweep {
   explicit StrainSweep(const Grid& grid);
 
   /// Rows first_row <= j < ny, xy and yz edges on the upper wall, too; one column more on every side. Returns
-  /// the smallest det A in this rank's columns, or 1 if all are larger. ready: when the next plane is found,
-  /// too.
-  Real run(const Strain& strain, int first_row, const StrainFields& to, const PlaneReady& ready);
+  /// the number of this rank's torn cells: with any solid in them and det A beyond its bounds. ready: when
+  /// the next plane is found, too.
+  std::int64_t run(const Strain& strain, View<const Real> phi, int first_row, const StrainFields& to,
+                   const PlaneReady& ready);
 
  private:
   /// Number i of this rank's cells at [i + 1]: loops begin at the ghost column -1.
@@ -46,7 +49,7 @@ class StrainSweep {
 
   void average(CellRow& row, const Strain& strain, int j, int k) const;
   void average(FaceRow& row, const Strain& strain, int j, int k) const;
-  void centers(const Strain& strain, int j, int k, const StrainFields& to) const;
+  const Real* centers(const Strain& strain, View<const Real> phi, int j, int k, const StrainFields& to);
   void edges_xz(const Strain& strain, int j, int k, View<Real> to) const;
   void edges_xy(const Strain& strain, int j, int k, View<Real> to) const;
   void edges_yz(const Strain& strain, int j, int k, View<Real> to) const;
@@ -54,6 +57,7 @@ class StrainSweep {
   int nx_, ny_, nz_;
   CellRow below_, above_;  ///< the face whose edges are found next
   FaceRow low_, high_;     ///< sides of the row of cells that is found next
+  Row determinant_;        ///< det A of a row of cells
 };
 
 }  // namespace softwall::solid::reference_map

@@ -19,12 +19,16 @@ template <WenoWeights kWeights>
                          forward ? d4 : d1);
 }
 
+/// In double precision Z weights know no unit (their tiny number is too small to matter), so that there the
+/// spacing may be left to the end.
 template <WenoWeights kWeights>
 [[gnu::always_inline]] inline Real along(const Real* q, std::ptrdiff_t stride, Real inv_spacing,
                                          Real velocity) {
-  const auto difference = [=](int m) { return (q[m * stride] - q[(m - 1) * stride]) * inv_spacing; };
-  return upwind_derivative<kWeights>(difference(-2), difference(-1), difference(0), difference(1),
-                                     difference(2), difference(3), velocity);
+  constexpr bool kAtEnd = kWeights == WenoWeights::kZ && sizeof(Real) == sizeof(double);
+  const Real before = kAtEnd ? 1 : inv_spacing, after = kAtEnd ? inv_spacing : 1;
+  const auto difference = [=](int m) { return (q[m * stride] - q[(m - 1) * stride]) * before; };
+  return after * upwind_derivative<kWeights>(difference(-2), difference(-1), difference(0), difference(1),
+                                             difference(2), difference(3), velocity);
 }
 
 /// The same in y, where spacings differ: inv_below[m] is that between rows j + m - 1 and j + m.

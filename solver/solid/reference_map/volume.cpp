@@ -6,8 +6,8 @@ namespace softwall::solid::reference_map {
 
 namespace {
 
-/// D dt / spacing^2 at most: three directions together stay within the reach of the Runge-Kutta scheme on the
-/// negative real axis, 4 (D_x dt / dx^2 + ...) < 2.51.
+/// K_i dt / spacing^2 at most: three directions together stay within the reach of the Runge-Kutta scheme on
+/// the negative real axis, 4 (K_x dt / dx^2 + ...) < 2.51.
 constexpr double kMostInAStep = 0.15;
 
 Real speed(double dt, double spacing) { return Real(std::min(1.0, kMostInAStep * spacing / dt)); }

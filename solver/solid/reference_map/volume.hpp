@@ -7,8 +7,8 @@
 /// Keeps the discrete map from changing volume. Transport and extrapolation make small errors of det A, which
 /// nothing else would ever undo: the flow has no divergence and the stress knows no volume, so they would add
 /// up, and with them the volume of the solid. They are let out through the surface by diffusion,
-///   dd_i/dt = u_i - u . grad(d_i) - D_i d/dx_i (det A - 1),
-/// which to first order in d is d(det A)/dt = sum_i d/dx_i [ D_i d/dx_i (det A) ]. D_i is U_b times the
+///   dd_i/dt = u_i - u . grad(d_i) - K_i d/dx_i (det A - 1),
+/// which to first order in d is d(det A)/dt = sum_i d/dx_i [ K_i d/dx_i (det A) ]. K_i is U_b times the
 /// spacing, the rate at which transport makes them, or what is stable if that is less. Where volume is kept,
 /// nothing happens.
 ///
@@ -20,7 +20,7 @@ using grid::Grid;
 using grid::Real;
 using grid::View;
 
-/// D_i / spacing, U_b.
+/// K_i / spacing, U_b.
 class RelaxationSpeeds {
  public:
   explicit RelaxationSpeeds(const Grid& grid);
@@ -38,29 +38,27 @@ class RelaxationSpeeds {
   std::vector<Real> y_;
 };
 
-/// The last term of the rates, D_i d/dx_i (det A - 1), where the components of d live. phi and det A at
+/// Errors beyond it count as if they were this large: they belong to a map that is torn.
+inline constexpr Real kLargestVolumeError = 0.5;
+
+/// det A - 1 of a cell as far as it counts.
+[[gnu::always_inline]] inline Real volume_error(Real phi, Real determinant) {
+  const Real e = determinant - 1;
+  const Real less = e < kLargestVolumeError ? e : kLargestVolumeError,
+             bounded = less > -kLargestVolumeError ? less : -kLargestVolumeError;
+  return phi < 1 ? Real(0) : bounded;
+}
+
+/// The last term of the rates, K_i d/dx_i (det A - 1), where the components of d live. error: volume_error at
 /// centers, with one column more on every side.
 struct VolumeRelaxation {
-  /// Errors beyond it count as if they were this large: they belong to a map that is torn.
-  static constexpr Real kLargestError = 0.5;
-
-  View<const Real> phi, determinant;
+  View<const Real> error;
   Real speed_x, speed_z;
   const Real* speed_y;
 
-  VolumeRelaxation(const RelaxationSpeeds& speeds, const grid::Field& fraction, const grid::Field& det_A)
-      : phi(fraction.view()),
-        determinant(det_A.view()),
-        speed_x(speeds.x()),
-        speed_z(speeds.z()),
-        speed_y(speeds.y()) {}
+  VolumeRelaxation(const RelaxationSpeeds& speeds, const grid::Field& volume_error)
+      : error(volume_error.view()), speed_x(speeds.x()), speed_z(speeds.z()), speed_y(speeds.y()) {}
 
-  [[nodiscard]] Real error(int i, int j, int k) const {
-    const Real e = determinant(i, j, k) - 1;
-    const Real less = e < kLargestError ? e : kLargestError,
-               bounded = less > -kLargestError ? less : -kLargestError;
-    return phi(i, j, k) < 1 ? Real(0) : bounded;
-  }
   [[nodiscard]] Real x(int i, int j, int k) const { return speed_x * (error(i, j, k) - error(i - 1, j, k)); }
   [[nodiscard]] Real y(int i, int j, int k) const {
     return speed_y[j] * (error(i, j, k) - error(i, j - 1, k));
