@@ -3,9 +3,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <sstream>
 
 #include "solver/case/build_info.hpp"
+#include "solver/fluid/stability.hpp"
 #include "solver/output/agree.hpp"
 #include "solver/output/checkpoint_reader.hpp"
 #include "solver/output/checkpoint_writer.hpp"
@@ -84,19 +86,17 @@ void Simulation::resume(const output::FoundCheckpoint& found) {
 
 ExitCode Simulation::run() {
   setup_.profile.reset();
-  last_step_ = time::choose_time_step(state_, setup_);
+  Decision next = decide();
+  last_step_ = time::choose_time_step(state_, setup_, next.convection_rate);
   write_status();
   if (state_.step == 0 && case_.run.field_interval > 0 && is_closed_box(case_.physics.flow)) {
     output::write_snapshot(options_.files, state_, setup_);  // what later shapes are compared with
   }
-  Decision next = decide();
   while (!next.stop() && state_.time < case_.run.end_time) {
     const double time_before = state_.time;
-    step();
+    step(next.convection_rate);
     next = decide();
-    if (next.fastest > output::kFastestVelocity) {
-      throw AgreedError(ExitCode::kDiverged, output::describe_runaway(state_, next.fastest));
-    }
+    stop_if_diverged(next.convection_rate);
     snapshot(time_before);
     if (next.report) report();
     if (next.checkpoint) checkpoint();
@@ -104,9 +104,9 @@ ExitCode Simulation::run() {
   return finish(next);
 }
 
-void Simulation::step() {
+void Simulation::step(double convection_rate) {
   pace_.begin_step();
-  last_step_ = time::choose_time_step(state_, setup_);
+  last_step_ = time::choose_time_step(state_, setup_, convection_rate);
   if (!(state_.time + last_step_.dt > state_.time)) {
     throw AgreedError(ExitCode::kDiverged, "diverged at step " + std::to_string(state_.step) +
                                                ": the time step has shrunk to " +
@@ -125,14 +125,24 @@ Simulation::Decision Simulation::decide() {
   const auto& run = case_.run;
   const bool by_steps = run.checkpoint_steps > 0 && state_.step % run.checkpoint_steps == 0;
   const bool by_clock = run.checkpoint_seconds > 0 && root && checkpoint_timer_.due();
-  const std::array<double, 5> mine{output::fastest_here(state_.velocity, setup_.grid), double(stop_signal()),
-                                   double(root && time_is_up()), double(by_steps || by_clock),
-                                   double(root && report_timer_.due())};
+  const std::array<double, 5> mine{fluid::convection_rate_here(state_.velocity, setup_.grid),
+                                   double(stop_signal()), double(root && time_is_up()),
+                                   double(by_steps || by_clock), double(root && report_timer_.due())};
   std::array<double, 5> all{};
   parallel::check(MPI_Allreduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MAX,
                                 world_.get()),
                   "MPI_Allreduce");
   return {all[0], static_cast<int>(all[1]), all[2] > 0, all[3] > 0, all[4] > 0};
+}
+
+/// Before anything of the state is written.
+void Simulation::stop_if_diverged(double convection_rate) const {
+  if (!output::may_be_runaway(convection_rate, setup_.grid)) return;
+  // A prescribed velocity has no scale of its own, but must be a number.
+  const double allowed =
+      setup_.velocity_prescribed ? std::numeric_limits<double>::max() : output::kFastestVelocity;
+  const double fastest = parallel::maximum(world_, output::fastest_here(state_.velocity, setup_.grid));
+  if (fastest > allowed) throw AgreedError(ExitCode::kDiverged, output::describe_runaway(state_, fastest));
 }
 
 bool Simulation::time_is_up() const {

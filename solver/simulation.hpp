@@ -40,7 +40,7 @@ class Simulation {
  private:
   /// What all ranks agree to do after a step.
   struct Decision {
-    double fastest = 0;  ///< U_b
+    double convection_rate = 0;  ///< fluid/stability.hpp
     int signal = 0;
     bool out_of_time = false, checkpoint = false, report = false;
     [[nodiscard]] bool stop() const { return signal != 0 || out_of_time; }
@@ -48,8 +48,9 @@ class Simulation {
 
   void start_or_resume();
   void resume(const output::FoundCheckpoint& found);
-  void step();
+  void step(double convection_rate);
   [[nodiscard]] Decision decide();
+  void stop_if_diverged(double convection_rate) const;
   [[nodiscard]] bool time_is_up() const;
   void checkpoint();
   void snapshot(double time_before);

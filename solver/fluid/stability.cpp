@@ -10,17 +10,25 @@
 
 namespace softwall::fluid {
 
-double convection_limit(const grid::VectorField& velocity, const Grid& g,
-                        const parallel::Decomposition& decomposition) {
+double convection_rate_here(const grid::VectorField& velocity, const Grid& g) {
+  constexpr Real kInfinite = std::numeric_limits<Real>::infinity();
   const auto u = velocity.x.view(), v = velocity.y.view(), w = velocity.z.view();
   const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz);
   const Real* inv_dy = g.inv_dy.data();
-  const double fastest = grid::max_cells(grid::all_cells(g), 0.0, [=](int i, int j, int k) {
-    return std::abs(u(i, j, k)) * inv_dx +
-           std::max(std::abs(v(i, j, k)), std::abs(v(i, j + 1, k))) * inv_dy[j] +
-           std::abs(w(i, j, k)) * inv_dz;
+  return grid::max_cells(grid::all_cells(g), 0.0, [=](int i, int j, int k) {
+    const Real rate = std::abs(u(i, j, k)) * inv_dx +
+                      std::max(std::abs(v(i, j, k)), std::abs(v(i, j + 1, k))) * inv_dy[j] +
+                      std::abs(w(i, j, k)) * inv_dz;
+    return rate < kInfinite ? rate : kInfinite;  // NaN compares false
   });
-  const double rate = parallel::maximum(decomposition.all(), fastest);
+}
+
+double convection_rate(const grid::VectorField& velocity, const Grid& g,
+                       const parallel::Decomposition& decomposition) {
+  return parallel::maximum(decomposition.all(), convection_rate_here(velocity, g));
+}
+
+double convection_limit(double rate) {
   return rate > 0 ? std::numbers::sqrt3 / rate : std::numeric_limits<double>::infinity();
 }
 

@@ -9,9 +9,14 @@
 /// real axis.
 namespace softwall::fluid {
 
-/// sqrt(3) / max(|u|/dx + |v|/dy + |w|/dz); infinite for a fluid at rest.
-[[nodiscard]] double convection_limit(const grid::VectorField& velocity, const Grid& grid,
-                                      const parallel::Decomposition& decomposition);
+/// Largest |u|/dx + |v|/dy + |w|/dz of this rank's cells, U_b / h; infinite when a velocity is not a number.
+[[nodiscard]] double convection_rate_here(const grid::VectorField& velocity, const Grid& grid);
+/// Of all ranks' cells.
+[[nodiscard]] double convection_rate(const grid::VectorField& velocity, const Grid& grid,
+                                     const parallel::Decomposition& decomposition);
+
+/// sqrt(3) / rate; infinite for a fluid at rest.
+[[nodiscard]] double convection_limit(double rate);
 
 /// The same limit for the fluid that a moving wall will set in motion, sqrt(3) dx / |u_wall|: a flow at rest
 /// has no other. Infinite when the walls are at rest.

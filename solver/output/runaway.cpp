@@ -9,6 +9,12 @@
 
 namespace softwall::output {
 
+bool may_be_runaway(double convection_rate, const grid::Grid& g) {
+  const double widest =
+      std::max({double(g.dx), double(*std::max_element(g.dy.data(), g.dy.data() + g.ny)), double(g.dz)});
+  return convection_rate * widest > kFastestVelocity;
+}
+
 double fastest_here(const grid::VectorField& velocity, const grid::Grid& g) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   double fastest = 0;

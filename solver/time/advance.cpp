@@ -89,11 +89,11 @@ void advance(State& s, Setup& setup, double dt) {
   ++s.step;
 }
 
-TimeStep choose_time_step(const State& s, const Setup& setup) {
+TimeStep choose_time_step(const State& s, const Setup& setup, double convection_rate) {
   const parallel::Profile::Scope scope(&setup.profile, Phase::kTimeStep);
   const auto& spec = setup.physics.time_step;
   if (spec.fixed_dt) return {*spec.fixed_dt, "fixed"};
-  TimeStep step{fluid::convection_limit(s.velocity, setup.grid, setup.decomposition), "convection"};
+  TimeStep step{fluid::convection_limit(convection_rate), "convection"};
   const auto restrict_to = [&](double limit, const char* name) {
     if (limit < step.dt) step = {limit, name};
   };
@@ -105,6 +105,12 @@ TimeStep choose_time_step(const State& s, const Setup& setup) {
   }
   step.dt *= spec.safety;
   return step;
+}
+
+TimeStep choose_time_step(const State& s, const Setup& setup) {
+  const double rate = setup.profile.time(
+      Phase::kTimeStep, [&] { return fluid::convection_rate(s.velocity, setup.grid, setup.decomposition); });
+  return choose_time_step(s, setup, rate);
 }
 
 }  // namespace softwall::time

@@ -18,6 +18,8 @@ struct TimeStep {
   double dt;
   const char* limit;  ///< "fixed", "convection", "viscosity" or "elastic"
 };
+/// convection_rate: of the state's velocity (fluid/stability.hpp).
+[[nodiscard]] TimeStep choose_time_step(const State& state, const Setup& setup, double convection_rate);
 [[nodiscard]] TimeStep choose_time_step(const State& state, const Setup& setup);
 
 }  // namespace softwall::time

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "tests/support/fields.hpp"
@@ -15,7 +16,7 @@ TEST(Stability, ConvectionFollowsTheFastestCellOfAllRanks) {
   Domain d(MPI_COMM_WORLD, {12, 6, 7}, {}, support::faces(6, 2, 1.5));
   const auto& g = d.grid;
   grid::VectorField velocity(g, 1);
-  EXPECT_EQ(convection_limit(velocity, g, d.decomposition), HUGE_VAL);
+  EXPECT_EQ(convection_limit(convection_rate(velocity, g, d.decomposition)), HUGE_VAL);
   // Noise of at most 1 everywhere, and one cell on the last rank that outruns it.
   velocity = support::random_velocity(d, 3);
   support::set_by_index(velocity.x, g, g.ny,
@@ -25,7 +26,20 @@ TEST(Stability, ConvectionFollowsTheFastestCellOfAllRanks) {
   support::set_by_index(velocity.z, g, g.ny,
                         [](int i, int j, int k) { return i == 11 && j == 2 && k == 6 ? 100.0 : 0; });
   const double rate = 300 / g.dx + 200 / g.dy[2] + 100 / g.dz;
-  EXPECT_NEAR(convection_limit(velocity, g, d.decomposition), std::numbers::sqrt3 / rate, 1e-15);
+  const double found = convection_rate(velocity, g, d.decomposition);
+  EXPECT_NEAR(convection_limit(found), std::numbers::sqrt3 / rate, 1e-15);
+}
+
+TEST(Stability, AVelocityThatIsNoNumberIsInfinitelyFast) {
+  Domain d(MPI_COMM_WORLD, {12, 6, 7}, {}, support::faces(6, 2, 1.5));
+  for (grid::Field grid::VectorField::*component :
+       {&grid::VectorField::x, &grid::VectorField::y, &grid::VectorField::z}) {
+    for (const double poison : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+      grid::VectorField velocity = support::random_velocity(d, 3);
+      (velocity.*component)(2, 3, 1) = Real(poison);
+      EXPECT_EQ(convection_rate_here(velocity, d.grid), HUGE_VAL);
+    }
+  }
 }
 
 TEST(Stability, ViscosityFollowsTheSmallestCellAndTheSolid) {

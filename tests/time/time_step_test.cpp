@@ -49,9 +49,9 @@ TEST(TimeStep, IsTheStabilityLimitTimesSafety) {
   time::Setup setup(p, MPI_COMM_WORLD);
   const State s = support::smooth_state(setup);
   const auto solid = setup.solid->input(s.material);
-  const double smallest = std::min({fluid::convection_limit(s.velocity, setup.grid, setup.decomposition),
-                                    fluid::viscosity_limit(setup.viscosity, solid, setup.grid),
-                                    setup.solid->elastic_limit(s.material)});
+  const double smallest = std::min(
+      {fluid::convection_limit(fluid::convection_rate(s.velocity, setup.grid, setup.decomposition)),
+       fluid::viscosity_limit(setup.viscosity, solid, setup.grid), setup.solid->elastic_limit(s.material)});
   EXPECT_DOUBLE_EQ(choose_time_step(s, setup).dt, 0.8 * smallest);
 }
 
