@@ -118,7 +118,8 @@ void must_fit(const char* what, double in_file, double expected) {
                                             std::to_string(expected));
 }
 
-/// Throws unless the file is an intact checkpoint of the precursor that this case names, in the same box.
+/// Throws unless the file is an intact checkpoint of the precursor that this case names, at its end or later,
+/// in the same box.
 void check_precursor(const std::filesystem::path& path, const InitialSpec& initial, const grid::Grid& g) {
   if (!std::filesystem::exists(path)) {
     throw AgreedError(ExitCode::kBadCase, "run.initial_checkpoint: " + path.string() + " does not exist");
@@ -132,6 +133,11 @@ void check_precursor(const std::filesystem::path& path, const InitialSpec& initi
   if (header.case_id != initial.precursor) {
     throw AgreedError(ExitCode::kBadCase, path.string() + " belongs to case " + header.case_id +
                                               ", physics.initial.precursor is " + initial.precursor);
+  }
+  if (header.time < initial.precursor_time) {
+    throw AgreedError(ExitCode::kBadCase, path.string() + " is of time " + std::to_string(header.time) +
+                                              ", this case starts where the precursor has reached " +
+                                              std::to_string(initial.precursor_time));
   }
   must_fit("length in x", header.length[0], g.length_x);
   must_fit("height", header.length[1], kFluidHeight);
