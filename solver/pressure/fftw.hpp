@@ -18,8 +18,6 @@ struct Fftw<double> {
   using Plan = fftw_plan;
   static fftw_complex* raw(Complex* z) { return reinterpret_cast<fftw_complex*>(z); }
 
-  static void* allocate(std::size_t bytes) { return fftw_malloc(bytes); }
-  static void free(void* p) { fftw_free(p); }
   static void destroy(Plan p) { fftw_destroy_plan(p); }
 
   /// n real numbers -> n / 2 + 1 coefficients, and back.
@@ -48,8 +46,6 @@ struct Fftw<float> {
   using Plan = fftwf_plan;
   static fftwf_complex* raw(Complex* z) { return reinterpret_cast<fftwf_complex*>(z); }
 
-  static void* allocate(std::size_t bytes) { return fftwf_malloc(bytes); }
-  static void free(void* p) { fftwf_free(p); }
   static void destroy(Plan p) { fftwf_destroy_plan(p); }
 
   static Plan plan_real_row(int n, float* row, Complex* out) {
