@@ -44,6 +44,8 @@ class Case:
         solid = physics.get("solid", {})
         self.G = solid.get("G", math.inf)
         self.ratio = solid.get("viscosity_ratio", 1.0)
+        domain = physics.get("domain", {})
+        self.box = domain.get("length_x", 6.0), domain.get("length_z", 3.0)  # periods in x and z, h
         grid = physics["grid"]
         layer = f"+{grid['ny_solid']}" if self.elastic else ""
         self.grid = f"{grid['nx']}x{grid['ny_fluid']}{layer}x{grid['nz']}"

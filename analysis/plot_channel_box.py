@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""Rigid channels in boxes of two sizes (runs/validation/channel-box) against Moser, Kim & Mansour, Phys. Fluids 11
+(1999): rms of the fluctuations, with 95 % intervals; prints Re_tau and the peaks.
+"""
+
+import sys
+
+import numpy as np
+
+from campaign_data import COLOURS, arguments, caption, plt, read_campaign, read_reference, save
+from plot_rigid_channel import BATCHES, Channel, peak
+
+COLUMNS = {"u'": "urms_plus", "v'": "vrms_plus", "w'": "wrms_plus"}
+
+
+def box_text(case):
+    return "{:.3g} x 2 x {:.3g}".format(*case.box)
+
+
+def row(channel):
+    """One line of the table: the box, the cells, Re_tau and the peaks."""
+    cells = [box_text(channel.case), channel.case.grid]
+    cells.append(f"{channel.values['re_tau']:.1f} +- {channel.ci95['re_tau']:.1f}")
+    for name in COLUMNS:
+        values = channel.values[name]
+        cells.append(f"{peak(channel.y_plus, values)[1]:.3f} +- {channel.ci95[name][np.argmax(values)]:.3f}")
+    return "| " + " | ".join(cells) + " |"
+
+
+def report(channels, reference):
+    print("| box | cells | Re_tau | u'+ peak | v'+ peak | w'+ peak |\n|---|---|---|---|---|---|")
+    for channel in channels:
+        print(row(channel))
+    theirs = [f"{peak(reference['y_plus'], reference[column])[1]:.3f}" for column in COLUMNS.values()]
+    print("| 12.6 x 2 x 4.19 | Moser et al. | 178.5 | " + " | ".join(theirs) + " |")
+
+
+def draw(axes, channels, reference):
+    for panel, (name, column) in zip(axes, COLUMNS.items()):
+        for channel, colour in zip(channels, COLOURS):
+            value, interval = channel.values[name], channel.ci95[name]
+            label = f"{box_text(channel.case)}, {channel.case.grid}"
+            panel.plot(channel.y_plus, value, color=colour, label=label)
+            panel.fill_between(channel.y_plus, value - interval, value + interval, color=colour, alpha=0.2, linewidth=0)
+        panel.plot(reference["y_plus"], reference[column], "k+", markersize=4, label="Moser et al. (1999)")
+        panel.set(xlim=(0, 180), xlabel="$y^+$", ylabel=f"${name}^+$")
+    axes[-1].legend(fontsize=7)
+
+
+def main():
+    options = arguments(__doc__)
+    cases = [case for case in read_campaign(options.campaign) if not case.elastic and len(case.weight) >= BATCHES]
+    if not cases:
+        sys.exit(f"no rigid channel has the {BATCHES} blocks that intervals need")
+    channels = sorted((Channel(case) for case in cases), key=lambda each: (len(each.y), each.case.box))
+    reference = read_reference("mkm180_profiles.csv")
+    report(channels, reference)
+    figure, axes = plt.subplots(1, len(COLUMNS), figsize=(12, 4), layout="constrained")
+    draw(axes, channels, reference)
+    save(figure, options, __file__, caption(cases))
+
+
+if __name__ == "__main__":
+    main()
