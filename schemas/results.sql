@@ -78,7 +78,7 @@ CREATE TABLE attempts (
 CREATE TABLE diagnostics (
   case_id          TEXT NOT NULL,               -- [-] the case
   attempt          INTEGER NOT NULL,            -- [-] the attempt that reported it
-  name             TEXT NOT NULL,               -- [-] e.g. max_divergence, interface_width, min_eigenvalue
+  name             TEXT NOT NULL,               -- [-] e.g. max_divergence, interface_width_cells, min_eigenvalue_B
   value            REAL,                        -- [see name] its value, scaled with h, U_b and density
   PRIMARY KEY (case_id, attempt, name),
   FOREIGN KEY (case_id, attempt) REFERENCES attempts (case_id, attempt)
@@ -103,7 +103,7 @@ CREATE TABLE checkpoints (
 -- What was measured: one row a case and quantity. The view `results` shows the same with one row a case.
 CREATE TABLE quantities (
   case_id          TEXT NOT NULL REFERENCES cases (case_id), -- [-] the case
-  quantity         TEXT NOT NULL,               -- [-] name; a column of `results` or a detail of its log-law fit
+  quantity         TEXT NOT NULL,               -- [-] name; a column of `results`, or a detail of its average or log-law fit
   value            REAL,                        -- [h, U_b, density] value; NULL: not defined for this case
   ci95             REAL,                        -- [as value] half width of its 95 % confidence interval; NULL: none can be given
   window_start     REAL NOT NULL,               -- [h/U_b] begin of the averaging window

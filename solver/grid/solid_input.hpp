@@ -9,7 +9,7 @@ struct SolidInput {
   const grid::Field* fraction = nullptr;            ///< phi, ghost cells filled
   const grid::VectorField* force_now = nullptr;     ///< f^k on the faces
   const grid::VectorField* force_before = nullptr;  ///< f^{k-1}
-  int first_row = 0;                                ///< phi and forces vanish below this row
+  int first_row = 0;  ///< below it there is no solid; phi and forces are not to be read there
   double viscosity_ratio = 1;
   /// What the fluid's viscous force lacks at moment k-1, over mu_f; absent when nothing does.
   const grid::VectorField* excess_viscous = nullptr;
