@@ -49,8 +49,4 @@ void ElasticForce::find(const Material& m, int first_row, int k) {
   assign({0, g.nx, first_row, g.ny, k, k + 1}, force, now_);
 }
 
-void ElasticForce::find(const Material& material, int first_row) {
-  for (int k = 0; k < grid_.nz; ++k) find(material, first_row, k);
-}
-
 }  // namespace softwall::solid

@@ -21,8 +21,6 @@ class ElasticForce {
   /// Finds the present force in plane k, rows from first_row on; elsewhere it stays as it is. Reads the ghost
   /// cells of `material` and its planes k - 1 and k + 1.
   void find(const Material& material, int first_row, int k);
-  /// The same in every plane of this rank.
-  void find(const Material& material, int first_row);
 
   [[nodiscard]] const grid::VectorField& now() const { return now_; }
   [[nodiscard]] const grid::VectorField& before() const { return before_; }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/fluid/momentum.hpp"
+#include "tests/support/momentum_at_a_point.hpp"
 #include "tests/support/momentum_views.hpp"
 
 // What the convective and viscous terms may not do: create kinetic energy or momentum.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/momentum_at_a_point.hpp"
 #include "tests/support/momentum_views.hpp"
 
 // The sweep remembers fluxes from cell to cell; it must find what the kernels find in each cell alone.

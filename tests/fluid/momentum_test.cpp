@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/momentum_at_a_point.hpp"
 #include "tests/support/momentum_views.hpp"
 
 // Each stencil is exact on the polynomials that its order promises.

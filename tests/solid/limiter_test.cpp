@@ -44,7 +44,7 @@ class Limiter : public testing::TestWithParam<double> {
   }
   ElasticForce force_of(const Material& m) const {
     ElasticForce force(1.0, by_volume, d.grid);
-    force.find(m, 0);
+    for (int k = 0; k < d.grid.nz; ++k) force.find(m, 0, k);
     return force;
   }
 };

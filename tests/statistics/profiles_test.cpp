@@ -10,6 +10,7 @@
 #include "solver/solid/elastic_force.hpp"
 #include "solver/solid/excess_viscosity.hpp"
 #include "tests/statistics/flows.hpp"
+#include "tests/support/momentum_at_a_point.hpp"
 #include "tests/support/momentum_views.hpp"
 
 namespace softwall::statistics {
@@ -75,7 +76,7 @@ TEST(Profiles, StressesAreTheFluxesOfTheMomentumEquation) {
     solid::ExcessViscosity excess(s.elastic ? physics.solid->viscosity_ratio : 1, 0.9, by_volume, g);
     solid::ElasticForce elastic(s.elastic ? physics.solid->G : 0, by_volume, g);
     if (s.elastic) {
-      elastic.find(s.material, 0);
+      for (int k = 0; k < g.nz; ++k) elastic.find(s.material, 0, k);
       excess.renew(s.material, s.velocity, 0);
     }
     const auto means = plane_means(s, setup);

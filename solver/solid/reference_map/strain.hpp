@@ -86,15 +86,11 @@ inline SymmetricTensor left_cauchy_green(const MapGradient& A) {
           factor * A.product_xy(), factor * A.product_xz(), factor * A.product_yz()};
 }
 
-/// A at every place of the grid. (i, j, k) names the low corner's edge, as for the velocity.
+/// A displacement and its grid, and A at the centers. What lies on edges: strain_sweep.hpp.
 struct Strain {
   View<const Real> x, y, z;  ///< displacement
   const Real *inv_dy, *inv_dy_face, *upper_share;
   Real inv_dx, inv_dz;
-
-  Real across_y(int j, Real upper, Real lower) const {
-    return upper_share[j] * upper + (1 - upper_share[j]) * lower;
-  }
 
   [[gnu::always_inline]] MapGradient center(int i, int j, int k) const {
     // d/dy of a quantity at centers of rows, as the mean of its differences across both faces.
@@ -112,60 +108,6 @@ struct Strain {
         1 - (y(i, j + 1, k) - y(i, j, k)) * inv_dy[j],     -(sum_y(i, k + 1) - sum_y(i, k - 1)) / 4 * inv_dz,
         -(sum_z(i + 1, j) - sum_z(i - 1, j)) / 4 * inv_dx, -(in_y(z, i, k) + in_y(z, i, k + 1)) / 2,
         1 - (z(i, j, k + 1) - z(i, j, k)) * inv_dz};
-  }
-  [[gnu::always_inline]] MapGradient edge_xy(int i, int j, int k) const {
-    const auto wide_x = [=, this](int b) { return x(i + 1, b, k) - x(i - 1, b, k); };
-    const auto wide_xz = [=, this](int b) { return x(i, b, k + 1) - x(i, b, k - 1); };
-    const auto two_z = [=, this](int a, int b) { return z(a, b, k) + z(a, b, k + 1); };
-    const auto wide_z = [=, this](int b) {
-      return z(i, b, k + 1) - z(i, b, k) + z(i - 1, b, k + 1) - z(i - 1, b, k);
-    };
-    return {
-        1 - across_y(j, wide_x(j), wide_x(j - 1)) / 2 * inv_dx,
-        -(x(i, j, k) - x(i, j - 1, k)) * inv_dy_face[j],
-        -across_y(j, wide_xz(j), wide_xz(j - 1)) / 2 * inv_dz,
-        -(y(i, j, k) - y(i - 1, j, k)) * inv_dx,
-        1 - (y(i, j + 1, k) - y(i, j - 1, k) + y(i - 1, j + 1, k) - y(i - 1, j - 1, k)) / 4 * inv_dy_face[j],
-        -(y(i, j, k + 1) - y(i, j, k - 1) + y(i - 1, j, k + 1) - y(i - 1, j, k - 1)) / 4 * inv_dz,
-        -across_y(j, two_z(i, j) - two_z(i - 1, j), two_z(i, j - 1) - two_z(i - 1, j - 1)) / 2 * inv_dx,
-        -(two_z(i, j) - two_z(i, j - 1) + two_z(i - 1, j) - two_z(i - 1, j - 1)) / 4 * inv_dy_face[j],
-        1 - across_y(j, wide_z(j), wide_z(j - 1)) / 2 * inv_dz};
-  }
-  [[gnu::always_inline]] MapGradient edge_xz(int i, int j, int k) const {
-    const auto two_y = [=, this](int a, int c) { return y(a, j, c) + y(a, j + 1, c); };
-    const auto high_y = [=, this](int a, int c) { return (y(a, j + 1, c) - y(a, j, c)) * inv_dy[j]; };
-    const auto in_y = [=, this](const View<const Real>& q, int a, int c) {
-      return ((q(a, j + 1, c) - q(a, j, c)) * inv_dy_face[j + 1] +
-              (q(a, j, c) - q(a, j - 1, c)) * inv_dy_face[j]) /
-             2;
-    };
-    return {1 - (x(i + 1, j, k) - x(i - 1, j, k) + x(i + 1, j, k - 1) - x(i - 1, j, k - 1)) / 4 * inv_dx,
-            -(in_y(x, i, k) + in_y(x, i, k - 1)) / 2,
-            -(x(i, j, k) - x(i, j, k - 1)) * inv_dz,
-            -(two_y(i, k) - two_y(i - 1, k) + two_y(i, k - 1) - two_y(i - 1, k - 1)) / 4 * inv_dx,
-            1 - (high_y(i, k) + high_y(i - 1, k) + high_y(i, k - 1) + high_y(i - 1, k - 1)) / 4,
-            -(two_y(i, k) - two_y(i, k - 1) + two_y(i - 1, k) - two_y(i - 1, k - 1)) / 4 * inv_dz,
-            -(z(i, j, k) - z(i - 1, j, k)) * inv_dx,
-            -(in_y(z, i, k) + in_y(z, i - 1, k)) / 2,
-            1 - (z(i, j, k + 1) - z(i, j, k - 1) + z(i - 1, j, k + 1) - z(i - 1, j, k - 1)) / 4 * inv_dz};
-  }
-  [[gnu::always_inline]] MapGradient edge_yz(int i, int j, int k) const {
-    const auto wide_z = [=, this](int b) { return z(i, b, k + 1) - z(i, b, k - 1); };
-    const auto wide_zx = [=, this](int b) { return z(i + 1, b, k) - z(i - 1, b, k); };
-    const auto two_x = [=, this](int b, int c) { return x(i, b, c) + x(i + 1, b, c); };
-    const auto wide_x = [=, this](int b) {
-      return x(i + 1, b, k) - x(i, b, k) + x(i + 1, b, k - 1) - x(i, b, k - 1);
-    };
-    return {
-        1 - across_y(j, wide_x(j), wide_x(j - 1)) / 2 * inv_dx,
-        -(two_x(j, k) - two_x(j - 1, k) + two_x(j, k - 1) - two_x(j - 1, k - 1)) / 4 * inv_dy_face[j],
-        -across_y(j, two_x(j, k) - two_x(j, k - 1), two_x(j - 1, k) - two_x(j - 1, k - 1)) / 2 * inv_dz,
-        -(y(i + 1, j, k) - y(i - 1, j, k) + y(i + 1, j, k - 1) - y(i - 1, j, k - 1)) / 4 * inv_dx,
-        1 - (y(i, j + 1, k) - y(i, j - 1, k) + y(i, j + 1, k - 1) - y(i, j - 1, k - 1)) / 4 * inv_dy_face[j],
-        -(y(i, j, k) - y(i, j, k - 1)) * inv_dz,
-        -across_y(j, wide_zx(j), wide_zx(j - 1)) / 2 * inv_dx,
-        -(z(i, j, k) - z(i, j - 1, k)) * inv_dy_face[j],
-        1 - across_y(j, wide_z(j), wide_z(j - 1)) / 2 * inv_dz};
   }
 };
 

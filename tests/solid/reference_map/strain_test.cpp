@@ -7,6 +7,7 @@
 #include "solver/solid/reference_map/strain_sweep.hpp"
 #include "tests/support/fields.hpp"
 #include "tests/support/momentum_views.hpp"
+#include "tests/support/strain_at_edges.hpp"
 
 namespace softwall::solid::reference_map {
 namespace {
@@ -83,9 +84,9 @@ TEST_P(GradientOf, ALinearDisplacementIsExactEverywhere) {
   };
   for (int j = 0; j < d.grid.ny; ++j) {
     expect(strain.center(1, j, 2));
-    expect(strain.edge_xy(1, j, 2));
-    expect(strain.edge_xz(1, j, 2));
-    expect(strain.edge_yz(1, j, 2));
+    expect(edge_xy(strain, 1, j, 2));
+    expect(edge_xz(strain, 1, j, 2));
+    expect(edge_yz(strain, 1, j, 2));
   }
 }
 
@@ -119,15 +120,15 @@ TEST(StrainSweep, FindsWhatTheKernelsFindAtEachPlace) {
       for (int k = -1; k <= g.nz; ++k) {
         for (int j = first_row; j <= g.ny; ++j) {
           for (int i = -1; i <= g.nx; ++i) {
-            compare(B.xy(i, j, k), left_cauchy_green(strain.edge_xy(i, j, k)).xy);
-            compare(B.yz(i, j, k), left_cauchy_green(strain.edge_yz(i, j, k)).yz);
+            compare(B.xy(i, j, k), left_cauchy_green(edge_xy(strain, i, j, k)).xy);
+            compare(B.yz(i, j, k), left_cauchy_green(edge_yz(strain, i, j, k)).yz);
             if (j == g.ny) continue;
             const MapGradient A = strain.center(i, j, k);
             compare(error(i, j, k), volume_error(phi(i, j, k), A.determinant()));
             compare(B.xx(i, j, k), left_cauchy_green(A).xx);
             compare(B.yy(i, j, k), left_cauchy_green(A).yy);
             compare(B.zz(i, j, k), left_cauchy_green(A).zz);
-            compare(B.xz(i, j, k), left_cauchy_green(strain.edge_xz(i, j, k)).xz);
+            compare(B.xz(i, j, k), left_cauchy_green(edge_xz(strain, i, j, k)).xz);
           }
         }
       }
