@@ -12,6 +12,7 @@
 #include "solver/output/checkpoint_reader.hpp"
 #include "solver/output/checkpoint_writer.hpp"
 #include "solver/output/profile_table.hpp"
+#include "solver/output/progress_line.hpp"
 #include "solver/output/regrid.hpp"
 #include "solver/output/remembered_layout.hpp"
 #include "solver/output/runaway.hpp"
@@ -204,42 +205,14 @@ ExitCode Simulation::finish(const Decision& last) {
   return code;
 }
 
-namespace {
-
-/// Friction Reynolds number of the rigid wall at this moment.
-double re_tau(const time::State& state, const time::Setup& setup) {
-  const auto& g = setup.grid;
-  const auto u = state.velocity.x.view();
-  const double sum =
-      parallel::sum(setup.decomposition.all(),
-                    grid::sum_cells(grid::rows(g, 0, 1), [=](int i, int j, int k) { return u(i, j, k); }));
-  const double shear = sum / (double(g.nx_global) * g.nz_global) / (g.dy[0] / 2);
-  return setup.physics.reynolds * std::sqrt(setup.viscosity * std::abs(shear));
-}
-
-/// What only a driven channel has.
-std::string driving_and_drag(const time::State& state, const time::Setup& setup) {
-  if (!is_driven_channel(setup.physics.flow)) return "";
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "  P %.4e  Re_tau %.1f", state.driving_gradient,
-                re_tau(state, setup));
-  return text.data();
-}
-
-}  // namespace
-
 void Simulation::report() {
   const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   report_timer_.reset();
   const double divergence =
       pressure::max_divergence(state_.velocity, setup_.grid, setup_.decomposition) * setup_.grid.dx;
   divergence_ = std::max(divergence_, divergence);
-  std::array<char, 200> line{};
-  std::snprintf(line.data(), line.size(), "step %8lld  t %10.4f  dt %.3e (%s)%s  div %.1e  %.0f ns/cell/step",
-                static_cast<long long>(state_.step), state_.time, last_step_.dt, last_step_.limit,
-                driving_and_drag(state_, setup_).c_str(), divergence,
-                1e9 * pace_.seconds_per_step() / setup_.grid.cells());
-  say(line.data());
+  say(output::progress_line(state_, setup_,
+                            {last_step_, divergence, 1e9 * pace_.seconds_per_step() / setup_.grid.cells()}));
 }
 
 /// A full disk must not end a run before a checkpoint fails: a status is only a hint.
