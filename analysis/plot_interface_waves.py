@@ -88,8 +88,9 @@ def judge_order(errors):
 
 def print_row(name, waves, exact):
     errors = [abs(case.rate - exact) / abs(exact) for case in waves]
-    grids = [f"{case.cells}: {100 * f:+.3f}, {100 * d:+.2f}" for case in waves for f, d in [signed_errors(case, exact)]]
-    print(f"{name}: errors of frequency and decay in % by cells a wave: {'; '.join(grids)}")
+    grids = [f"{case.cells}: {100 * f:+.3f}, {100 * d:+.2f}, {100 * error:.3f}"
+             for case, error in zip(waves, errors) for f, d in [signed_errors(case, exact)]]
+    print(f"{name}: errors of frequency, decay and complex rate in % by cells a wave: {'; '.join(grids)}")
     frequency, decay = signed_errors(waves[-1], exact)
     judge(f"  frequency, {waves[-1].cells} cells a wave", abs(frequency), FREQUENCY_BAR)
     judge("  decay", abs(decay), DECAY_BAR)
