@@ -51,6 +51,7 @@ struct RowUpdate {
   template <Holds kHolds, class PressureGradient>
   void update(int j, int k, const Real* fluid, const Component& component,
               const PressureGradient& gradient) const {
+    // Copies, which what the loop writes cannot change: the compiler need not read them again.
     const Component c = component;
     const Weights weights = w;
     const Real viscosity = m.nu;
