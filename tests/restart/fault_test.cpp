@@ -120,8 +120,9 @@ TEST(BadCase, MoreRanksThanTheGridCanFeed) {
 
 json case_from(const SolverRun& precursor, const fs::path& checkpoint) {
   json definition = elastic_case(6);
-  definition["physics"]["initial"] = {
-      {"type", "precursor"}, {"precursor", precursor.summary().at("case_id")}, {"precursor_time", 0.1}};
+  definition["physics"]["initial"] = {{"type", "precursor"},
+                                      {"precursor", precursor.summary().at("case_id")},
+                                      {"precursor_time", precursor.summary().at("time")}};
   definition["run"]["initial_checkpoint"] = checkpoint.string();
   return definition;
 }

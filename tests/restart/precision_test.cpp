@@ -23,8 +23,9 @@ json in(const std::string& precision, json definition) {
 /// An elastic case that begins with the last checkpoint of a rigid one.
 json after(const SolverRun& precursor, json definition) {
   const auto file = precursor.newest_checkpoint();
+  const CheckpointHeader header = read_checkpoint_header(file);
   definition["physics"]["initial"] = {
-      {"type", "precursor"}, {"precursor", read_checkpoint_header(file).case_id}, {"precursor_time", 0.1}};
+      {"type", "precursor"}, {"precursor", header.case_id}, {"precursor_time", header.time}};
   definition["run"]["initial_checkpoint"] = file.string();
   return definition;
 }
