@@ -5,10 +5,8 @@
 
 import sys
 
-import numpy as np
-
 from campaign_data import COLOURS, arguments, caption, plt, read_campaign, read_reference, save
-from plot_rigid_channel import BATCHES, Channel, peak
+from plot_rigid_channel import BATCHES, Channel, draw_profile, peak, peak_of
 
 COLUMNS = {"u'": "urms_plus", "v'": "vrms_plus", "w'": "wrms_plus"}
 
@@ -22,8 +20,8 @@ def row(channel):
     cells = [box_text(channel.case), channel.case.grid]
     cells.append(f"{channel.values['re_tau']:.1f} +- {channel.ci95['re_tau']:.1f}")
     for name in COLUMNS:
-        values = channel.values[name]
-        cells.append(f"{peak(channel.y_plus, values)[1]:.3f} +- {channel.ci95[name][np.argmax(values)]:.3f}")
+        _, height, interval = peak_of(channel, channel.y_plus, name)
+        cells.append(f"{height:.3f} +- {interval:.3f}")
     return "| " + " | ".join(cells) + " |"
 
 
@@ -38,10 +36,7 @@ def report(channels, reference):
 def draw(axes, channels, reference):
     for panel, (name, column) in zip(axes, COLUMNS.items()):
         for channel, colour in zip(channels, COLOURS):
-            value, interval = channel.values[name], channel.ci95[name]
-            label = f"{box_text(channel.case)}, {channel.case.grid}"
-            panel.plot(channel.y_plus, value, color=colour, label=label)
-            panel.fill_between(channel.y_plus, value - interval, value + interval, color=colour, alpha=0.2, linewidth=0)
+            draw_profile(panel, channel.y_plus, channel, name, colour, f"{box_text(channel.case)}, {channel.case.grid}")
         panel.plot(reference["y_plus"], reference[column], "k+", markersize=4, label="Moser et al. (1999)")
         panel.set(xlim=(0, 180), xlabel="$y^+$", ylabel=f"${name}^+$")
     axes[-1].legend(fontsize=7)

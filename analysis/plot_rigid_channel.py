@@ -77,6 +77,12 @@ def peak(y, values):
     return -b / (2 * a), c - b * b / (4 * a)
 
 
+def peak_of(channel, y_plus, name):
+    """Where a profile has its peak, how high it is, and half its 95 % interval."""
+    values = channel.values[name]
+    return *peak(y_plus, values), channel.ci95[name][np.argmax(values)]
+
+
 class Correlations:
     """R_ii(separation) / R_ii(0) along x and z in the rows nearest to given distances from the walls."""
 
@@ -134,16 +140,16 @@ def compare(channel, reference):
 
 
 def compare_peak(name, channel, y_plus, theirs, bar):
-    at, height = peak(y_plus, channel.values[name])
+    at, height, interval = peak_of(channel, y_plus, name)
     expected_at, expected = peak(*theirs)
-    interval = channel.ci95[name][np.argmax(channel.values[name])]
     print(f"{name}+ peak {height:.3f} +- {interval:.3f} at y+ {at:.1f} (Moser et al.: {expected:.3f} at {expected_at:.1f})")
     judge(f"{name}+ peak, relative difference", abs(height / expected - 1), bar)
 
 
-def draw_profile(panel, y, channel, name, colour):
+def draw_profile(panel, y, channel, name, colour, label=None):
+    """A profile with its interval, labelled with its own name unless told otherwise."""
     value, interval = channel.values[name], channel.ci95[name]
-    panel.plot(y, value, color=colour, label=f"${name}^+$" if name != "u" else "$U^+$")
+    panel.plot(y, value, color=colour, label=label or (f"${name}^+$" if name != "u" else "$U^+$"))
     panel.fill_between(y, value - interval, value + interval, color=colour, alpha=0.3, linewidth=0)
 
 
