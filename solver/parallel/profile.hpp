@@ -29,7 +29,7 @@ inline constexpr std::array<const char*, kPhases> kPhaseNames{
 struct PhaseRecord {
   double seconds = 0;            ///< by the clock on the wall, without the phases inside it
   double processor_seconds = 0;  ///< of this rank's processor; only counted when asked for
-  std::int64_t messages = 0;     ///< to other ranks
+  std::int64_t messages = 0;     ///< to other ranks, or pieces of shared memory handed over to them
   std::int64_t bytes = 0;        ///< in them
 };
 

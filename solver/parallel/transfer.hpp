@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "solver/parallel/decomposition.hpp"
-#include "solver/parallel/profile.hpp"
+#include "solver/parallel/piece_exchange.hpp"
 
 /// Pencil to pencil: makes one axis whole and splits another instead, within one line of ranks.
 namespace softwall::parallel {
@@ -23,22 +25,19 @@ class Transfer {
   /// `before` are this rank's extents with `scattered` whole; `gathered_total` is the whole extent of the
   /// other axis.
   Transfer(const Communicator& line, Extents before, Axis scattered, Axis gathered, int gathered_total,
-           Profile* profile = nullptr)
-      : line_(line),
-        profile_(profile),
+           Profile* profile = nullptr, Way way = Way::kBest)
+      : profile_(profile),
         before_(before),
         after_(before),
         scattered_(scattered),
-        gathered_(gathered) {
-    const int ranks = line.size(), rank = line.rank();
-    scattered_parts_ = shares(before[scattered], ranks);
-    gathered_parts_ = shares(gathered_total, ranks);
-    after_[scattered] = scattered_parts_[static_cast<std::size_t>(rank)].size();
+        gathered_(gathered),
+        scattered_parts_(shares(before[scattered], line.size())),
+        gathered_parts_(shares(gathered_total, line.size())) {
+    after_[scattered] = scattered_parts_[static_cast<std::size_t>(line.rank())].size();
     after_[gathered] = gathered_total;
-    if (ranks > 1) {
-      out_.resize(volume(before_));
-      in_.resize(volume(after_));
-    }
+    if (trivial()) return;
+    pieces_.emplace(line, volumes(before_, scattered_, scattered_parts_),
+                    volumes(after_, gathered_, gathered_parts_), profile, way);
   }
 
   [[nodiscard]] bool trivial() const { return scattered_parts_.size() == 1; }
@@ -48,82 +47,73 @@ class Transfer {
     return static_cast<std::size_t>(e[0]) * static_cast<std::size_t>(e[1]) * static_cast<std::size_t>(e[2]);
   }
 
-  /// before -> after. With one rank in the line both layouts are the same: nothing is to be called.
+  /// before -> after, and then after -> before. With one rank in the line both layouts are the same: neither
+  /// is to be called.
   void forward(const T* source, T* target) {
-    exchange({source, before_, scattered_, scattered_parts_, out_},
-             {target, after_, gathered_, gathered_parts_, in_});
+    const Profile::Scope scope(profile_, Phase::kTransposition);
+    for (std::size_t r = 0; r < scattered_parts_.size(); ++r)
+      pack(source, {before_, scattered_, scattered_parts_[r]}, pieces_->near(r));
+    pieces_->there();
+    for (std::size_t r = 0; r < gathered_parts_.size(); ++r)
+      unpack(pieces_->far(r), {after_, gathered_, gathered_parts_[r]}, target);
   }
-  /// after -> before.
   void backward(const T* source, T* target) {
-    exchange({source, after_, gathered_, gathered_parts_, in_},
-             {target, before_, scattered_, scattered_parts_, out_});
+    const Profile::Scope scope(profile_, Phase::kTransposition);
+    for (std::size_t r = 0; r < gathered_parts_.size(); ++r)
+      pack(source, {after_, gathered_, gathered_parts_[r]}, pieces_->far(r));
+    pieces_->back();
+    for (std::size_t r = 0; r < scattered_parts_.size(); ++r)
+      unpack(pieces_->near(r), {before_, scattered_, scattered_parts_[r]}, target);
   }
 
  private:
-  /// One end of an exchange: an array, the axis along which it is cut into a part for each rank, a buffer.
-  template <class Pointer>
-  struct End {
-    Pointer array;
-    const Extents& extents;
+  /// An array's cells of which one index is in `range`.
+  struct Part {
+    const Extents& whole;
     Axis axis;
-    const std::vector<Range>& parts;
-    std::vector<T>& buffer;
+    Range range;
   };
 
-  void exchange(const End<const T*>& from, const End<T*>& to) {
-    const Profile::Scope scope(profile_, Phase::kTransposition);
-    std::vector<int>&send_counts = counts_[0], &send_starts = counts_[1], &receive_counts = counts_[2],
-    &receive_starts = counts_[3];
-    layout(from.extents, from.axis, from.parts, send_counts, send_starts);
-    layout(to.extents, to.axis, to.parts, receive_counts, receive_starts);
-    const auto own = static_cast<std::size_t>(send_counts[static_cast<std::size_t>(line_.rank())]);
-    if (profile_) profile_->count_messages(line_.size() - 1, (volume(from.extents) - own) * sizeof(T));
-    copy_parts(from, [](const T* cell, T* packed, int n) { std::copy(cell, cell + n, packed); });
-    check(MPI_Alltoallv(from.buffer.data(), send_counts.data(), send_starts.data(), mpi_type<T>(),
-                        to.buffer.data(), receive_counts.data(), receive_starts.data(), mpi_type<T>(),
-                        line_.get()),
-          "MPI_Alltoallv");
-    copy_parts(to, [](T* cell, const T* packed, int n) { std::copy(packed, packed + n, cell); });
-  }
-
-  static void layout(Extents extents, Axis axis, const std::vector<Range>& parts, std::vector<int>& counts,
-                     std::vector<int>& starts) {
-    counts.resize(parts.size());
-    starts.resize(parts.size());
-    int start = 0;
-    for (std::size_t r = 0; r < parts.size(); ++r) {
-      extents[axis] = parts[r].size();
-      counts[r] = static_cast<int>(volume(extents));
-      starts[r] = start;
-      start += counts[r];
+  static std::vector<std::size_t> volumes(Extents extents, Axis axis, const std::vector<Range>& parts) {
+    std::vector<std::size_t> all;
+    for (const Range& part : parts) {
+      extents[axis] = part.size();
+      all.push_back(volume(extents));
     }
+    return all;
   }
 
-  template <class EndType, class CopyRow>
-  static void copy_parts(const EndType& end, const CopyRow& copy_row) {
-    T* packed = end.buffer.data();
-    for (const Range& part : end.parts) {
-      std::array<Range, 3> box{Range{0, end.extents[0]}, Range{0, end.extents[1]}, Range{0, end.extents[2]}};
-      box[end.axis] = part;
-      for (int z = box[kZ].begin; z < box[kZ].end; ++z) {
-        for (int y = box[kY].begin; y < box[kY].end; ++y) {
-          const auto row = (static_cast<std::size_t>(z) * static_cast<std::size_t>(end.extents[kY]) +
-                            static_cast<std::size_t>(y)) *
-                           static_cast<std::size_t>(end.extents[kX]);
-          copy_row(end.array + row + box[kX].begin, packed, box[kX].size());
-          packed += box[kX].size();
-        }
+  static void pack(const T* array, const Part& part, T* piece) {
+    each_row(part, [&](std::size_t first, int n) { piece = std::copy_n(array + first, n, piece); });
+  }
+  static void unpack(const T* piece, const Part& part, T* array) {
+    each_row(part, [&](std::size_t first, int n) {
+      std::copy_n(piece, n, array + first);
+      piece += n;
+    });
+  }
+
+  /// Calls `copy(index of its first cell, length)` for each row of a part.
+  template <class Copy>
+  static void each_row(const Part& part, const Copy& copy) {
+    const auto& whole = part.whole;
+    std::array<Range, 3> box{Range{0, whole[0]}, Range{0, whole[1]}, Range{0, whole[2]}};
+    box[part.axis] = part.range;
+    for (int z = box[kZ].begin; z < box[kZ].end; ++z) {
+      for (int y = box[kY].begin; y < box[kY].end; ++y) {
+        const auto row =
+            static_cast<std::size_t>(z) * static_cast<std::size_t>(whole[kY]) + static_cast<std::size_t>(y);
+        copy(row * static_cast<std::size_t>(whole[kX]) + static_cast<std::size_t>(box[kX].begin),
+             box[kX].size());
       }
     }
   }
 
-  const Communicator& line_;
   Profile* profile_;
   Extents before_, after_;
   Axis scattered_, gathered_;
   std::vector<Range> scattered_parts_, gathered_parts_;
-  std::vector<T> out_, in_;
-  std::array<std::vector<int>, 4> counts_;
+  std::optional<PieceExchange<T>> pieces_;  ///< unless there is but one rank
 };
 
 }  // namespace softwall::parallel

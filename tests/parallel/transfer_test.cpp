@@ -32,12 +32,12 @@ std::vector<T> labelled(const Extents& extents, const Extents& begin) {
 }
 
 template <class T>
-void round_trip(const Communicator& line, Axis scattered, Axis gathered, const Extents& whole) {
+void round_trip(const Communicator& line, Axis scattered, Axis gathered, const Extents& whole, Way way) {
   const Range split = share(whole[gathered], line.size(), line.rank());
   Extents before = whole, before_begin{0, 0, 0}, after_begin{0, 0, 0};
   before[gathered] = split.size();
   before_begin[gathered] = split.begin;
-  Transfer<T> transfer(line, before, scattered, gathered, whole[gathered]);
+  Transfer<T> transfer(line, before, scattered, gathered, whole[gathered], nullptr, way);
   after_begin[scattered] = share(whole[scattered], line.size(), line.rank()).begin;
   ASSERT_EQ(transfer.trivial(), line.size() == 1);
   ASSERT_EQ(transfer.after()[gathered], whole[gathered]);
@@ -59,7 +59,10 @@ void all_axes_and_sizes() {
   for (const Axis scattered : {kZ, kY, kX}) {
     for (const Axis gathered : {kZ, kY, kX}) {
       if (scattered == gathered) continue;
-      for (const Extents& whole : sizes) round_trip<T>(line, scattered, gathered, whole);
+      for (const Extents& whole : sizes) {
+        for (const Way way : {Way::kBest, Way::kMessages})
+          round_trip<T>(line, scattered, gathered, whole, way);
+      }
     }
   }
 }

@@ -43,9 +43,9 @@ void for_each_value(const RowBlock& b, std::vector<Value>& rows, std::ptrdiff_t 
   }
 }
 
-void there_and_back(const Communicator& line, const Sizes& n) {
+void there_and_back(const Communicator& line, const Sizes& n, Way way) {
   SCOPED_TRACE(testing::Message() << n.modes << " modes, " << n.rows << " rows, " << n.z << " planes");
-  Transposition<Value> turn(line, n.modes, n.rows, n.z);
+  Transposition<Value> turn(line, n.modes, n.rows, n.z, nullptr, way);
   const Range own_z = share(n.z, line.size(), line.rank()), own_modes = turn.own_modes();
   for_each_block(n, own_z, [&](const RowBlock& b, std::vector<Value>& rows, std::ptrdiff_t stride) {
     for_each_value(b, rows, stride, n, own_z, [](Value& v, int z, int y, int m) { v = label(z, y, m); });
@@ -76,7 +76,7 @@ void there_and_back(const Communicator& line, const Sizes& n) {
 TEST(Transposition, BringsEveryValueThereAndBack) {
   const auto line = Communicator::duplicate(MPI_COMM_WORLD);
   for (const Sizes& n : {Sizes{9, 5, 16}, {8, 4, 7}, {5, 7, 9}, {17, 1, 6}, {2, 3, 12}, {4, 3, 2}})
-    there_and_back(line, n);
+    for (const Way way : {Way::kBest, Way::kMessages}) there_and_back(line, n, way);
 }
 
 }  // namespace

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "solver/parallel/mpi.hpp"
+
+/// Memory that the ranks on one machine read and write in place, instead of sending each other copies.
+namespace softwall::parallel {
+
+/// An open file, closed with its owner.
+class Descriptor {
+ public:
+  explicit Descriptor(int owned = -1) : number_(owned) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor();
+
+  [[nodiscard]] int get() const { return number_; }
+
+ private:
+  int number_;
+};
+
+/// A mapping of a file into memory, undone with its owner. It outlives the descriptor it was made from.
+class Mapping {
+ public:
+  /// The first `bytes` of a file, for reading and writing; data() is null where the system refuses.
+  Mapping(const Descriptor& file, std::size_t bytes);
+  Mapping(Mapping&& other) noexcept
+      : address_(std::exchange(other.address_, nullptr)), bytes_(other.bytes_) {}
+  Mapping& operator=(Mapping&&) = delete;
+  Mapping(const Mapping&) = delete;
+  Mapping& operator=(const Mapping&) = delete;
+  ~Mapping();
+
+  [[nodiscard]] std::byte* data() const { return address_; }
+
+ private:
+  std::byte* address_ = nullptr;
+  std::size_t bytes_;
+};
+
+/// Collective: the memory of every rank of `line`, in their order; of this one's there are `bytes`, with
+/// anything in them. Nothing, on every rank, where one of them cannot reach the memory of another (another
+/// machine, a container of its own) or has none left. It has no name that could outlive a killed run.
+[[nodiscard]] std::optional<std::vector<Mapping>> share_memory(const Communicator& line, std::size_t bytes);
+
+}  // namespace softwall::parallel
