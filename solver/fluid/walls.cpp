@@ -9,9 +9,9 @@ namespace {
 using grid::Box;
 using grid::Field;
 
-/// Interior columns of row 0: one visit a column. (Ghost columns get theirs from the halo exchange
-/// afterwards.)
-Box columns(const Field& f) { return {0, f.nx(), 0, 1, 0, f.nz()}; }
+/// Row 0, to visit every column once: this rank's and its ghost columns in x. (Those in z get theirs from the
+/// halo exchange afterwards.)
+Box columns(const Field& f) { return {-f.ghost(), f.nx() + f.ghost(), 0, 1, 0, f.nz()}; }
 
 void mirror(Field& f, Real bottom, Real top) {
   const auto q = f.view();
@@ -68,10 +68,15 @@ Walls walls_of(const grid::Grid& g) {
 }
 
 void fill_ghosts(grid::VectorField& velocity, const Walls& walls, grid::Halo& halo) {
+  halo.fill_in_x({&velocity.x, &velocity.y, &velocity.z}, {0, velocity.x.ny()});
+  fill_other_ghosts(velocity, walls, halo);
+}
+
+void fill_other_ghosts(grid::VectorField& velocity, const Walls& walls, grid::Halo& halo) {
   mirror(velocity.x, walls.bottom_u, walls.top_u);
   close(velocity.y);
   mirror(velocity.z, 0, 0);
-  halo.fill({&velocity.x, &velocity.y, &velocity.z});
+  halo.fill_in_z({&velocity.x, &velocity.y, &velocity.z}, {-1, velocity.x.ny() + 1});
   if (!walls.low_x && !walls.high_x) return;
   close_x(velocity.x, walls);
   mirror_x(velocity.y, walls);
@@ -80,14 +85,15 @@ void fill_ghosts(grid::VectorField& velocity, const Walls& walls, grid::Halo& ha
 
 void fill_ghosts(grid::Field& center, grid::Halo& halo) {
   const auto q = center.view();
-  const int ny = center.ny();
-  for (int layer = 1; layer <= center.ghost(); ++layer) {
+  const int ny = center.ny(), ghost = center.ghost();
+  halo.fill_in_x({&center}, {0, ny});
+  for (int layer = 1; layer <= ghost; ++layer) {
     grid::for_each_cell(columns(center), [=](int i, int, int k) {
       q(i, -layer, k) = q(i, 0, k);
       q(i, ny - 1 + layer, k) = q(i, ny - 1, k);
     });
   }
-  halo.fill({&center});
+  halo.fill_in_z({&center}, {-ghost, ny + ghost});
 }
 
 }  // namespace softwall::fluid

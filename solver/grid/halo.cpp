@@ -155,13 +155,16 @@ void Halo::exchange(Side side, std::initializer_list<Field*> fields, RowSpan row
   for (Field* f : fields) n += copy_box<false>(*f, shift_to(side, *f, rows).to, receive_.data() + n);
 }
 
-void Halo::fill(std::initializer_list<Field*> fields, RowSpan rows) {
+void Halo::fill_in_x(std::initializer_list<Field*> fields, RowSpan rows) {
   if (wraps_in_x()) {
     const parallel::Profile::Scope scope(profile_, parallel::Phase::kHalo);
     for (Field* f : fields) wrap_in_x(*f, rows);
   } else {
     for (const Side side : {Side::kLowX, Side::kHighX}) fill_side(side, fields, rows);
   }
+}
+
+void Halo::fill_in_z(std::initializer_list<Field*> fields, RowSpan rows) {
   for (const Side side : {Side::kLowZ, Side::kHighZ}) fill_side(side, fields, rows);
 }
 

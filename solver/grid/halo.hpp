@@ -29,7 +29,13 @@ class Halo {
                 parallel::Profile* profile = nullptr);
 
   /// Fills all ghost layers of the fields in x, then in z (so that corners are right), in the given rows.
-  void fill(std::initializer_list<Field*> fields, RowSpan rows);
+  void fill(std::initializer_list<Field*> fields, RowSpan rows) {
+    fill_in_x(fields, rows);
+    fill_in_z(fields, rows);
+  }
+  /// The two halves.
+  void fill_in_x(std::initializer_list<Field*> fields, RowSpan rows);
+  void fill_in_z(std::initializer_list<Field*> fields, RowSpan rows);
   /// The same in all rows, those beyond the walls included; the fields have equally many ghost layers.
   void fill(std::initializer_list<Field*> fields);
   /// Fills only the ghost layers beyond one side, beside interior cells (z sides: beside the ghost columns in

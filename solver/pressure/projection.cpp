@@ -19,6 +19,12 @@ double sum_of_row(const Real* row, int n) {
   return sum;
 }
 
+/// One ghost cell at either end of a periodic row that is whole on this rank.
+void wrap_row(const grid::View<Real>& q, int j, int k, int nx) {
+  q(-1, j, k) = q(nx - 1, j, k);
+  q(nx, j, k) = q(0, j, k);
+}
+
 }  // namespace
 
 Projection::Projection(const Grid& grid, const parallel::Decomposition& decomposition, grid::Halo& halo,
@@ -70,6 +76,7 @@ void Projection::correct(grid::VectorField& velocity, grid::Field& pressure, dou
   const auto u = velocity.x.view(), v = velocity.y.view(), w = velocity.z.view(), p = pressure.view();
   const auto psi = std::as_const(psi_).view();
   const Real by_x = Real(duration / g.dx), by_z = Real(duration / g.dz), more = Real(push);
+  const bool wraps = halo_.wraps_in_x();
   for (int k = 0; k < g.nz; ++k) {
     for (int j = 0; j < g.ny; ++j) {
       const Real by_y = j > 0 ? Real(duration * g.inv_dy_face[j]) : 0;  // row 0 of v lies on the wall
@@ -81,8 +88,11 @@ void Projection::correct(grid::VectorField& velocity, grid::Field& pressure, dou
         w(i, j, k) -= by_z * (psi(i, j, k) - psi(i, j, k - 1));
         p(i, j, k) += psi(i, j, k);
       }
+      if (!wraps) continue;
+      for (const auto* q : {&u, &v, &w}) wrap_row(*q, j, k, g.nx);
     }
   }
+  if (!wraps) halo_.fill_in_x({&velocity.x, &velocity.y, &velocity.z}, {0, g.ny});
   grid::for_each_cell({0, g.nx, 0, g.ny, -1, 0}, [=](int i, int j, int k) { p(i, j, k) += psi(i, j, k); });
 }
 

@@ -69,7 +69,7 @@ double advance_channel(State& s, Setup& setup, double dt) {
       setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);
     });
     driven += project_and_drive(s, setup, stage, dt);
-    profile.time(Phase::kHalo, [&] { fluid::fill_ghosts(s.velocity, setup.walls, setup.halo); });
+    profile.time(Phase::kHalo, [&] { fluid::fill_other_ghosts(s.velocity, setup.walls, setup.halo); });
   }
   return driven;
 }
