@@ -98,7 +98,11 @@ class PieceExchange {
     if (from.pieces.size() == 1) return;
     const Profile::Scope scope(profile_, Phase::kTransposition);
     if (profile_) profile_->count_messages(std::int64_t(from.pieces.size()) - 1, from.bytes_sent());
-    shared_ ? meet() : send(from, to);
+    if (shared_) {
+      meet();
+    } else {
+      send(from, to);
+    }
   }
 
   /// What each rank has written before, every rank reads after.
