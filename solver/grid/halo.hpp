@@ -33,11 +33,11 @@ class Halo {
     fill_in_x(fields, rows);
     fill_in_z(fields, rows);
   }
-  /// The two halves.
-  void fill_in_x(std::initializer_list<Field*> fields, RowSpan rows);
-  void fill_in_z(std::initializer_list<Field*> fields, RowSpan rows);
   /// The same in all rows, those beyond the walls included; the fields have equally many ghost layers.
   void fill(std::initializer_list<Field*> fields);
+  /// The two halves. In z the ghost layers in x travel too: they are right before.
+  void fill_in_x(std::initializer_list<Field*> fields, RowSpan rows);
+  void fill_in_z(std::initializer_list<Field*> fields, RowSpan rows);
   /// Fills only the ghost layers beyond one side, beside interior cells (z sides: beside the ghost columns in
   /// x, too): half a message, for stencils that look one way.
   void fill_side(Side side, std::initializer_list<Field*> fields, RowSpan rows);

@@ -31,9 +31,9 @@ template <class T>
 using LineVector = std::vector<T, LineAllocator<T>>;
 
 /// The next length at which every row of an array of T begins a line like the first.
-template <class T>
-[[nodiscard]] constexpr int whole_lines(int n) {
-  constexpr int kLine = kLineBytes / sizeof(T);
+template <class T, class Count>
+[[nodiscard]] constexpr Count whole_lines(Count n) {
+  constexpr Count kLine = kLineBytes / sizeof(T);
   return (n + kLine - 1) / kLine * kLine;
 }
 

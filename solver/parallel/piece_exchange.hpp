@@ -2,8 +2,11 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "solver/parallel/line_memory.hpp"
@@ -43,11 +46,13 @@ class PieceExchange {
       far_.place();
     }
     far_.pieces[own_] = near_.pieces[own_];
+    far_.is_away = true;
   }
 
   [[nodiscard]] T* near(std::size_t rank) const { return near_.pieces[rank]; }
   [[nodiscard]] T* far(std::size_t rank) const { return far_.pieces[rank]; }
 
+  /// Throw std::logic_error when called out of turn.
   void there() { exchange(near_, far_); }
   void back() { exchange(far_, near_); }
 
@@ -58,8 +63,10 @@ class PieceExchange {
       for (std::size_t r = 0; r < lengths.size(); ++r) {
         counts.push_back(r == own ? 0 : static_cast<int>(lengths[r]));
         starts.push_back(static_cast<int>(room));
-        room += static_cast<std::size_t>(whole_lines<T>(static_cast<int>(lengths[r])));
+        room += whole_lines<T>(lengths[r]);
       }
+      if (room > std::numeric_limits<int>::max())
+        throw std::invalid_argument("one rank's part of the spectrum has too many values: use more ranks");
     }
     void place() {
       memory.resize(room);
@@ -72,6 +79,7 @@ class PieceExchange {
     std::vector<int> counts;  ///< of what travels: none for the piece that a rank keeps
     std::vector<int> starts;
     std::size_t room = 0;
+    bool is_away = false;  ///< what is in the pieces is on the other side
     LineVector<T> memory;  ///< unless the pieces lie in shared memory
     std::vector<T*> pieces;
   };
@@ -94,8 +102,11 @@ class PieceExchange {
     }
   }
 
-  void exchange(const Side& from, Side& to) {
+  void exchange(Side& from, Side& to) {
     if (from.pieces.size() == 1) return;
+    if (from.is_away) throw std::logic_error("pieces are exchanged out of turn");
+    from.is_away = true;
+    to.is_away = false;
     const Profile::Scope scope(profile_, Phase::kTransposition);
     if (profile_) profile_->count_messages(std::int64_t(from.pieces.size()) - 1, from.bytes_sent());
     if (shared_) {

@@ -1,13 +1,17 @@
 #include "solver/parallel/shared_memory.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <random>
 #include <string>
+#include <system_error>
 
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace softwall::parallel {
@@ -18,6 +22,7 @@ namespace {
 struct Address {
   std::int64_t process = 0, descriptor = -1, bytes = 0, token = 0;
 };
+constexpr const char* kName = "softwall";
 constexpr int kNumbers = sizeof(Address) / sizeof(std::int64_t);
 
 bool on_one_machine(const Communicator& line) {
@@ -34,16 +39,26 @@ bool all_agree(const Communicator& line, bool mine) {
 }
 
 /// The memory is there when this returns: later it could only be missed by a crash.
-Descriptor anonymous_file(std::size_t bytes) {
-  Descriptor file(memfd_create("softwall", MFD_CLOEXEC));
-  if (file.get() >= 0 && posix_fallocate(file.get(), 0, static_cast<off_t>(bytes)) != 0) return Descriptor();
+FileDescriptor anonymous_file(std::size_t bytes) {
+  FileDescriptor file(memfd_create(kName, MFD_CLOEXEC));
+  int error = EINTR;
+  while (file && error == EINTR) error = posix_fallocate(file.get(), 0, static_cast<off_t>(bytes));
+  if (error != 0) return FileDescriptor();
   return file;
 }
 
-Descriptor open_of(const Address& owner) {
+/// A process number may mean somebody else in another container: nothing is opened but what looks like memory
+/// of this program, and its size must be right.
+FileDescriptor open_of(const Address& owner) {
   const std::string path =
       "/proc/" + std::to_string(owner.process) + "/fd/" + std::to_string(owner.descriptor);
-  return Descriptor(open(path.c_str(), O_RDWR | O_CLOEXEC));
+  std::error_code nobody;
+  const std::string target = std::filesystem::read_symlink(path, nobody).string();
+  if (!target.starts_with(std::string("/memfd:") + kName)) return FileDescriptor();
+  FileDescriptor file(open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK));
+  struct stat found {};
+  if (!file || fstat(file.get(), &found) != 0 || found.st_size != owner.bytes) return FileDescriptor();
+  return file;
 }
 
 bool begins_with(const Mapping& memory, std::int64_t token) {
@@ -52,12 +67,8 @@ bool begins_with(const Mapping& memory, std::int64_t token) {
 
 }  // namespace
 
-Descriptor::~Descriptor() {
-  if (number_ >= 0) close(number_);
-}
-
-Mapping::Mapping(const Descriptor& file, std::size_t bytes) : bytes_(bytes) {
-  if (file.get() < 0) return;
+Mapping::Mapping(const FileDescriptor& file, std::size_t bytes) : bytes_(bytes) {
+  if (!file) return;
   void* const found = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file.get(), 0);
   if (found != MAP_FAILED) address_ = static_cast<std::byte*>(found);
 }
@@ -66,13 +77,13 @@ Mapping::~Mapping() {
   if (address_) munmap(address_, bytes_);
 }
 
-/// Each rank opens the files of the others through /proc. A process number may mean somebody else in another
-/// container, so that what is found there must begin with what its owner says it wrote.
+/// Each rank opens the files of the others through /proc. What is found there must begin with what its owner
+/// says it wrote.
 std::optional<std::vector<Mapping>> share_memory(const Communicator& line, std::size_t bytes) {
   if (!on_one_machine(line)) return std::nullopt;
   Address mine;
   bytes = std::max(bytes, sizeof mine.token);
-  const Descriptor file = anonymous_file(bytes);
+  const FileDescriptor file = anonymous_file(bytes);
   const Mapping memory(file, bytes);
   mine.process = getpid();
   mine.descriptor = file.get();

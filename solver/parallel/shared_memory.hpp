@@ -2,37 +2,20 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "solver/case/file_descriptor.hpp"
 #include "solver/parallel/mpi.hpp"
 
 /// Memory that the ranks on one machine read and write in place, instead of sending each other copies.
 namespace softwall::parallel {
 
-/// An open file, closed with its owner.
-class Descriptor {
- public:
-  explicit Descriptor(int owned = -1) : number_(owned) {}
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor();
-
-  [[nodiscard]] int get() const { return number_; }
-
- private:
-  int number_;
-};
-
 /// A mapping of a file into memory, undone with its owner. It outlives the descriptor it was made from.
 class Mapping {
  public:
   /// The first `bytes` of a file, for reading and writing; data() is null where the system refuses.
-  Mapping(const Descriptor& file, std::size_t bytes);
+  Mapping(const FileDescriptor& file, std::size_t bytes);
   Mapping(Mapping&& other) noexcept
       : address_(std::exchange(other.address_, nullptr)), bytes_(other.bytes_) {}
   Mapping& operator=(Mapping&&) = delete;

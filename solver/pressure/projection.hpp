@@ -17,8 +17,8 @@ class Projection {
              parallel::Profile* profile = nullptr);
 
   /// On entry the wall-normal velocity stands on the walls (rows 0 and ny), no other ghost cell matters. On
-  /// return the interior is divergence-free; the velocity's ghost cells in x are right, its others stale,
-  /// those of the pressure that gradients read (low x, low z) right if they were so before.
+  /// return the interior is divergence-free. The velocity's ghost cells beside it in x are right, its others
+  /// stale; those of the pressure that gradients read (low x, low z) are right if they were so before.
   void project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage, double dt) {
     const double duration = 2 * stage.alpha * dt;
     find_psi(velocity, duration);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <vector>
 
 // The ranks of a test are on one machine: each finds in the memory of every other what that one wrote there.
 namespace softwall::parallel {
@@ -35,7 +36,7 @@ TEST(SharedMemory, IsTheSameForAllRanks) {
     EXPECT_EQ(read((*all)[static_cast<std::size_t>(r)], r), numbers_of(r));
 }
 
-TEST(SharedMemory, MayBeNone) {
+TEST(SharedMemory, MayBeEmpty) {
   const auto line = Communicator::duplicate(MPI_COMM_WORLD);
   EXPECT_TRUE(share_memory(line, 0));
 }

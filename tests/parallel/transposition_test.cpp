@@ -11,7 +11,7 @@ namespace {
 using Value = std::complex<double>;
 constexpr int kPadding = 3;  // rows need not be packed tightly
 
-Value label(int z, int y, int mode) { return {1.0 + mode + 100.0 * z, double(y)}; }
+Value label(int z, int y, int mode, int round) { return {1.0 + mode + 100.0 * z, y + 0.25 * round}; }
 
 struct Sizes {
   int modes, rows, z;
@@ -43,15 +43,14 @@ void for_each_value(const RowBlock& b, std::vector<Value>& rows, std::ptrdiff_t 
   }
 }
 
-void there_and_back(const Communicator& line, const Sizes& n, Way way) {
-  SCOPED_TRACE(testing::Message() << n.modes << " modes, " << n.rows << " rows, " << n.z << " planes");
-  Transposition<Value> turn(line, n.modes, n.rows, n.z, nullptr, way);
-  const Range own_z = share(n.z, line.size(), line.rank()), own_modes = turn.own_modes();
+void there_and_back(Transposition<Value>& turn, const Sizes& n, Range own_z, int round) {
   for_each_block(n, own_z, [&](const RowBlock& b, std::vector<Value>& rows, std::ptrdiff_t stride) {
-    for_each_value(b, rows, stride, n, own_z, [](Value& v, int z, int y, int m) { v = label(z, y, m); });
+    for_each_value(b, rows, stride, n, own_z,
+                   [=](Value& v, int z, int y, int m) { v = label(z, y, m, round); });
     turn.pack(b, rows.data(), stride);
   });
   turn.to_modes();
+  const Range own_modes = turn.own_modes();
   const std::ptrdiff_t stride = n.z + kPadding;
   std::vector<Value> plane(static_cast<std::size_t>(n.rows * stride));
   for (int mode = 0; mode < own_modes.size(); ++mode) {
@@ -59,7 +58,7 @@ void there_and_back(const Communicator& line, const Sizes& n, Way way) {
     for (int j = 0; j < n.rows; ++j) {
       for (int z = 0; z < n.z; ++z) {
         Value& v = plane[static_cast<std::size_t>(j * stride + z)];
-        ASSERT_EQ(v, label(z, j, own_modes.begin + mode)) << "z " << z << ", row " << j;
+        ASSERT_EQ(v, label(z, j, own_modes.begin + mode, round)) << "z " << z << ", row " << j;
         v *= 2;
       }
     }
@@ -69,14 +68,28 @@ void there_and_back(const Communicator& line, const Sizes& n, Way way) {
   for_each_block(n, own_z, [&](const RowBlock& b, std::vector<Value>& rows, std::ptrdiff_t row_stride) {
     turn.unpack(b, rows.data(), row_stride);
     for_each_value(b, rows, row_stride, n, own_z,
-                   [](const Value& v, int z, int y, int m) { ASSERT_EQ(v, 2.0 * label(z, y, m)); });
+                   [=](const Value& v, int z, int y, int m) { ASSERT_EQ(v, 2.0 * label(z, y, m, round)); });
   });
 }
 
-TEST(Transposition, BringsEveryValueThereAndBack) {
+TEST(Transposition, BringsEveryValueThereAndBackAgainAndAgain) {
   const auto line = Communicator::duplicate(MPI_COMM_WORLD);
-  for (const Sizes& n : {Sizes{9, 5, 16}, {8, 4, 7}, {5, 7, 9}, {17, 1, 6}, {2, 3, 12}, {4, 3, 2}})
-    for (const Way way : {Way::kBest, Way::kMessages}) there_and_back(line, n, way);
+  for (const Sizes& n : {Sizes{9, 5, 16}, {8, 4, 7}, {5, 7, 9}, {17, 1, 6}, {2, 3, 12}, {4, 3, 2}}) {
+    for (const Way way : {Way::kBest, Way::kMessages}) {
+      SCOPED_TRACE(testing::Message() << n.modes << " modes, " << n.rows << " rows, " << n.z << " planes");
+      Transposition<Value> turn(line, n.modes, n.rows, n.z, nullptr, way);
+      const Range own_z = share(n.z, line.size(), line.rank());
+      for (int round = 0; round < 4; ++round) there_and_back(turn, n, own_z, round);
+    }
+  }
+}
+
+TEST(Transposition, ThereTwiceIsRefused) {
+  const auto line = Communicator::duplicate(MPI_COMM_WORLD);
+  if (line.size() == 1) GTEST_SKIP() << "one rank has nobody to exchange with";
+  Transposition<Value> turn(line, 8, 4, 8);
+  turn.to_modes();
+  EXPECT_THROW(turn.to_modes(), std::logic_error);
 }
 
 }  // namespace

@@ -42,6 +42,23 @@ TEST_P(ProjectionOf, RandomVelocityHasNoDivergenceLeft) {
   }
 }
 
+TEST_P(ProjectionOf, LeavesGhostCellsInXRight) {
+  auto velocity = support::random_velocity(d, 3);
+  Projection(d.grid, d.decomposition, d.halo).project(velocity, pressure, kRungeKutta3[0], 0.1);
+  grid::VectorField wanted(d.grid, 1);
+  support::copy(velocity, wanted);
+  d.halo.fill({&wanted.x, &wanted.y, &wanted.z}, {0, d.grid.ny});
+  for (const auto component : {&grid::VectorField::x, &grid::VectorField::y, &grid::VectorField::z}) {
+    const auto found = (velocity.*component).view(), right = (wanted.*component).view();
+    for (const int i : {-1, d.grid.nx}) {
+      for (int k = 0; k < d.grid.nz; ++k) {
+        for (int j = 0; j < d.grid.ny; ++j)
+          ASSERT_EQ(found(i, j, k), right(i, j, k)) << i << " " << j << " " << k;
+      }
+    }
+  }
+}
+
 TEST_P(ProjectionOf, DivergenceFreeVelocityChangesNothing) {
   auto velocity = support::random_solenoidal_velocity(d, 3);
   grid::VectorField before(d.grid, 1);
