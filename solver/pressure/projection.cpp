@@ -68,8 +68,9 @@ void Projection::find_psi(grid::VectorField& velocity, double duration) {
   halo_.fill_side(grid::Side::kLowZ, {&psi_}, {0, g.ny});
 }
 
-/// One sweep, ghost cells of the velocity in x included. Gradients look to lower cells only, and so does the next predictor's of the pressure: its ghost
-/// cells there are renewed with what its neighbour adds, all others are left alone.
+/// One sweep, ghost cells of the velocity in x included. Gradients look to lower cells only, and so does the
+/// next predictor's of the pressure: its ghost cells there are renewed with what its neighbour adds, all
+/// others are left alone.
 void Projection::correct(grid::VectorField& velocity, grid::Field& pressure, double duration, double push) {
   const parallel::Profile::Scope scope(profile_, parallel::Phase::kCorrection);
   const auto& g = grid_;
