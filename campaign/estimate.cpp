@@ -60,8 +60,13 @@ StepLimits step_limits(const Physics& physics) {
   return limits;
 }
 
+/// A quarter more than was measured with a build for its processor (solver/README.md).
 double default_ns_per_cell_step(const Physics& physics) {
-  const double in_double = physics.flow == FlowType::kRigidChannel ? 250.0 : 600.0;
+  constexpr double kFluid = 100, kReferenceMap = 160, kTransportedB = 260;
+  const auto with_solid = [](const SolidSpec& solid) {
+    return solid.formulation == SolidFormulation::kReferenceMap ? kReferenceMap : kTransportedB;
+  };
+  const double in_double = physics.solid ? with_solid(*physics.solid) : kFluid;
   return physics.precision == Precision::kSingle ? in_double / 2 : in_double;
 }
 
