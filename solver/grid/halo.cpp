@@ -87,13 +87,7 @@ void wrap_in_x(Field& f, RowSpan rows) {
   const auto cell = f.view();
   const int nx = f.nx(), ghost = f.ghost();
   for (int k = 0; k < f.nz(); ++k) {
-    for (int j = rows.j0; j < rows.j1; ++j) {
-      Real* const row = &cell(0, j, k);
-      for (int g = 0; g < ghost; ++g) {
-        row[nx + g] = row[g];
-        row[-1 - g] = row[nx - 1 - g];
-      }
-    }
+    for (int j = rows.j0; j < rows.j1; ++j) wrap_row(&cell(0, j, k), nx, ghost);
   }
 }
 

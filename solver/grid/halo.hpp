@@ -19,6 +19,15 @@ struct RowSpan {
   int j0 = 0, j1 = 0;
 };
 
+/// Fills the ghost cells at either end of a periodic row that is whole on this rank, of nx cells, not fewer
+/// than `ghost`; `row`: its cell 0.
+inline void wrap_row(Real* row, int nx, int ghost) {
+  for (int g = 0; g < ghost; ++g) {
+    row[nx + g] = row[g];
+    row[-1 - g] = row[nx - 1 - g];
+  }
+}
+
 /// One side of every rank's box.
 enum class Side { kLowX, kHighX, kLowZ, kHighZ };
 

@@ -46,15 +46,20 @@ class PieceExchange {
       far_.place();
     }
     far_.pieces[own_] = near_.pieces[own_];
-    far_.is_away = true;
   }
 
   [[nodiscard]] T* near(std::size_t rank) const { return near_.pieces[rank]; }
   [[nodiscard]] T* far(std::size_t rank) const { return far_.pieces[rank]; }
 
   /// Throw std::logic_error when called out of turn.
-  void there() { exchange(near_, far_); }
-  void back() { exchange(far_, near_); }
+  void there() {
+    take_turn(true);
+    exchange(near_, far_);
+  }
+  void back() {
+    take_turn(false);
+    exchange(far_, near_);
+  }
 
  private:
   /// All pieces of one side. Each begins a line of the cache, lest two ranks write to one.
@@ -79,7 +84,6 @@ class PieceExchange {
     std::vector<int> counts;  ///< of what travels: none for the piece that a rank keeps
     std::vector<int> starts;
     std::size_t room = 0;
-    bool is_away = false;  ///< what is in the pieces is on the other side
     LineVector<T> memory;  ///< unless the pieces lie in shared memory
     std::vector<T*> pieces;
   };
@@ -102,11 +106,13 @@ class PieceExchange {
     }
   }
 
-  void exchange(Side& from, Side& to) {
+  void take_turn(bool to_far_side) {
+    if (on_far_side_ == to_far_side) throw std::logic_error("pieces are exchanged out of turn");
+    on_far_side_ = to_far_side;
+  }
+
+  void exchange(const Side& from, Side& to) {
     if (from.pieces.size() == 1) return;
-    if (from.is_away) throw std::logic_error("pieces are exchanged out of turn");
-    from.is_away = true;
-    to.is_away = false;
     const Profile::Scope scope(profile_, Phase::kTransposition);
     if (profile_) profile_->count_messages(std::int64_t(from.pieces.size()) - 1, from.bytes_sent());
     if (shared_) {
@@ -133,6 +139,7 @@ class PieceExchange {
   Profile* profile_;
   std::size_t own_;
   Side near_, far_;
+  bool on_far_side_ = false;                    ///< what is exchanged
   std::optional<std::vector<Mapping>> shared_;  ///< near pieces of every rank of the line
 };
 

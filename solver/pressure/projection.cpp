@@ -19,12 +19,6 @@ double sum_of_row(const Real* row, int n) {
   return sum;
 }
 
-/// One ghost cell at either end of a periodic row that is whole on this rank.
-void wrap_row(const grid::View<Real>& q, int j, int k, int nx) {
-  q(-1, j, k) = q(nx - 1, j, k);
-  q(nx, j, k) = q(0, j, k);
-}
-
 }  // namespace
 
 Projection::Projection(const Grid& grid, const parallel::Decomposition& decomposition, grid::Halo& halo,
@@ -90,7 +84,7 @@ void Projection::correct(grid::VectorField& velocity, grid::Field& pressure, dou
         p(i, j, k) += psi(i, j, k);
       }
       if (!wraps) continue;
-      for (const auto* q : {&u, &v, &w}) wrap_row(*q, j, k, g.nx);
+      for (const auto* q : {&u, &v, &w}) grid::wrap_row(&(*q)(0, j, k), g.nx, 1);
     }
   }
   if (!wraps) halo_.fill_in_x({&velocity.x, &velocity.y, &velocity.z}, {0, g.ny});
