@@ -77,8 +77,8 @@ Predictor::Predictor(const Grid& grid, double viscosity)
     : grid_(grid),
       viscosity_(viscosity),
       sweep_(grid),
-      rate_(grid, 1, grid::Memory::kWhole),
-      predicted_(grid, 1, grid::Memory::kWhole) {}
+      rate_(grid, 1, grid::Memory::kByPlane),
+      predicted_(grid, 1, grid::Memory::kByPlane) {}
 
 void Predictor::advance(grid::VectorField& velocity, const grid::Field& pressure, const SolidInput& solid,
                         const Stage& stage, double dt) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <new>
 
 #include "solver/parallel/line_memory.hpp"
 
@@ -13,11 +12,11 @@ namespace {
 
 constexpr std::ptrdiff_t kLine = parallel::kLineBytes / sizeof(Real);  // numbers in a line of the cache
 
-/// Length of a row in memory: whole lines, but no multiple of a large power of two, which would let the rows
-/// of a stencil crowd each other out of the cache.
-std::ptrdiff_t row_length(int cells_and_ghosts) {
+/// Distance in memory between neighbours that are `numbers` apart at least: whole lines, but no multiple of a
+/// large power of two, which would let the rows of a stencil crowd each other out of the cache.
+std::ptrdiff_t spacing_of(std::ptrdiff_t numbers) {
   constexpr std::ptrdiff_t kCrowd = 8 * kLine;
-  const std::ptrdiff_t length = parallel::whole_lines<Real>(cells_and_ghosts);
+  const std::ptrdiff_t length = parallel::whole_lines<Real>(numbers);
   return length % kCrowd == 0 ? length + kLine : length;
 }
 
@@ -34,22 +33,23 @@ std::ptrdiff_t lines_before(const Real* memory, std::ptrdiff_t most) {
 void Field::Free::operator()(Real* p) const { std::free(p); }
 
 Field::Field(const Grid& g, int ghost, Memory memory) : nx_(g.nx), ny_(g.ny), nz_(g.nz), ghost_(ghost) {
-  stride_y_ = row_length(nx_ + 2 * ghost_);
-  stride_z_ = stride_y_ * (ny_ + 2 * ghost_);
-  const std::ptrdiff_t cells = stride_z_ * (nz_ + 2 * ghost_);
+  const std::ptrdiff_t row = spacing_of(nx_ + 2 * ghost_), rows = ny_ + 2 * ghost_, planes = nz_ + 2 * ghost_;
+  const bool by_plane = memory == Memory::kByPlane;
+  stride_y_ = by_plane ? row : spacing_of(row * planes);
+  stride_z_ = by_plane ? row * rows : row;
+  const std::ptrdiff_t cells = by_plane ? stride_z_ * planes : stride_y_ * rows;
   // As far apart as a core's own cache is long, but never more than a small part of the field.
   std::ptrdiff_t most = 2048;
   while (most > 1 && most * kLine * 16 > cells) most /= 2;
   const auto count = static_cast<std::size_t>(cells + (most + 1) * kLine);
-  if (memory == Memory::kWhole) {
+  if (by_plane) {
     memory_.reset(static_cast<Real*>(parallel::allocate_lines(count * sizeof(Real))));
     std::fill_n(memory_.get(), count, Real(0));
   } else {
-    memory_.reset(static_cast<Real*>(std::calloc(count, sizeof(Real))));
-    if (!memory_) throw std::bad_alloc();
+    memory_.reset(static_cast<Real*>(parallel::allocate_untouched(count * sizeof(Real))));
   }
-  // The first cell of each row begins a line; the ghost cells before it end the line of the row below.
-  const std::ptrdiff_t first = ghost_ + ghost_ * stride_y_ + ghost_ * stride_z_;
+  // The first cell of each row begins a line; the ghost cells before it end the line of the row before.
+  const std::ptrdiff_t first = ghost_ * (1 + stride_y_ + stride_z_);
   const auto address = reinterpret_cast<std::uintptr_t>(memory_.get() + first) / sizeof(Real);
   const std::ptrdiff_t to_line = (kLine - static_cast<std::ptrdiff_t>(address % kLine)) % kLine;
   offset_ = first + to_line + lines_before(memory_.get(), most) * kLine;

@@ -9,7 +9,7 @@
 /// Memory for one number in every cell, and views into it.
 namespace softwall::grid {
 
-/// A window on somebody's memory, indexed by cell: i contiguous, then j, then k. Never owns.
+/// A window on somebody's memory, indexed by cell, i contiguous. Never owns.
 template <class T>
 struct View {
   T* origin = nullptr;  ///< address of cell (0, 0, 0)
@@ -17,15 +17,16 @@ struct View {
   T& operator()(int i, int j, int k) const { return origin[i + j * stride_y + k * stride_z]; }
 };
 
-/// How a field's memory is got: all at once, in huge pages where possible; or page by page as it is touched,
-/// which is why solid fields may span the whole height.
-enum class Memory { kWhole, kAsTouched };
+/// How a field lies in memory, in huge pages where possible: plane by plane, got all at once; or height by
+/// height, got as it is touched, so that a solid's fields may span the whole height and cost what its own
+/// rows do.
+enum class Memory { kByPlane, kByHeight };
 
 /// Owner of nx x ny x nz numbers with `ghost` layers on every side, zero at first.
 class Field {
  public:
   Field() = default;
-  Field(const Grid& g, int ghost, Memory memory = Memory::kAsTouched);
+  Field(const Grid& g, int ghost, Memory memory = Memory::kByHeight);
 
   Real& operator()(int i, int j, int k) { return view()(i, j, k); }
   Real operator()(int i, int j, int k) const { return view()(i, j, k); }
@@ -53,7 +54,7 @@ class Field {
 struct VectorField {
   Field x, y, z;
   VectorField() = default;
-  VectorField(const Grid& g, int ghost, Memory memory = Memory::kAsTouched)
+  VectorField(const Grid& g, int ghost, Memory memory = Memory::kByHeight)
       : x(g, ghost, memory), y(g, ghost, memory), z(g, ghost, memory) {}
 };
 

@@ -13,6 +13,8 @@ inline constexpr std::size_t kLineBytes = 64;
 
 /// Uninitialised; throws std::bad_alloc. To be freed with std::free.
 [[nodiscard]] void* allocate_lines(std::size_t bytes);
+/// The same of zeros, beginning anywhere; large pieces cost only what is touched of them.
+[[nodiscard]] void* allocate_untouched(std::size_t bytes);
 void free_lines(void* memory) noexcept;
 
 template <class T>

@@ -27,7 +27,7 @@ Projection::Projection(const Grid& grid, const parallel::Decomposition& decompos
       halo_(halo),
       profile_(profile),
       poisson_(grid, decomposition, profile),
-      psi_(grid, 1, grid::Memory::kWhole),
+      psi_(grid, 1, grid::Memory::kByPlane),
       row_sums_(static_cast<std::size_t>(grid.ny)) {}
 
 /// The divergence of a cell needs the velocity on its high faces; the wall-normal one is whole on every rank.

@@ -85,14 +85,16 @@ double Solid::elastic_limit(const Material& m) const {
              xy = m.B.xy.view(), xz = m.B.xz.view(), yz = m.B.yz.view();
   const Real* inv_dy = grid_.inv_dy.data();
   const Real inv_dx = Real(1 / grid_.dx), inv_dz = Real(1 / grid_.dz);
-  const double stiffest =
-      grid::max_cells(grid::rows(grid_, first_row_, grid_.ny), 0.0, [=](int i, int j, int k) {
-        return phi(i, j, k) *
-               (xx(i, j, k) * inv_dx * inv_dx + yy(i, j, k) * inv_dy[j] * inv_dy[j] +
-                zz(i, j, k) * inv_dz * inv_dz +
-                2 * (std::abs(xy(i, j, k)) * inv_dx * inv_dy[j] + std::abs(xz(i, j, k)) * inv_dx * inv_dz +
-                     std::abs(yz(i, j, k)) * inv_dy[j] * inv_dz));
-      });
+  const auto stiffness = [=](int i, int j, int k) {
+    return phi(i, j, k) *
+           (xx(i, j, k) * inv_dx * inv_dx + yy(i, j, k) * inv_dy[j] * inv_dy[j] +
+            zz(i, j, k) * inv_dz * inv_dz +
+            2 * (std::abs(xy(i, j, k)) * inv_dx * inv_dy[j] + std::abs(xz(i, j, k)) * inv_dx * inv_dz +
+                 std::abs(yz(i, j, k)) * inv_dy[j] * inv_dz));
+  };
+  double stiffest = 0;  // found height by height, as the fields lie in memory
+  for (int j = first_row_; j < grid_.ny; ++j)
+    stiffest = grid::max_cells(grid::rows(grid_, j, j + 1), stiffest, stiffness);
   const double omega = 2 * std::sqrt(spec_.G * parallel::maximum(decomposition_.all(), stiffest));
   return omega > 0 ? kStable / omega : std::numeric_limits<double>::infinity();
 }

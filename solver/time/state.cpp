@@ -41,8 +41,8 @@ std::vector<NamedField> fields_of(State& s) {
 
 State state_at_rest(const grid::Grid& grid, bool elastic, SolidFormulation formulation) {
   State s;
-  s.velocity = grid::VectorField(grid, 1, grid::Memory::kWhole);
-  s.pressure = grid::Field(grid, 1, grid::Memory::kWhole);
+  s.velocity = grid::VectorField(grid, 1, grid::Memory::kByPlane);
+  s.pressure = grid::Field(grid, 1, grid::Memory::kByPlane);
   s.elastic = elastic;
   if (elastic) s.material = solid::flat_layer(grid, formulation);
   return s;
