@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "solver/solid/fraction.hpp"
-#include "solver/solid/stress_divergence.hpp"
 
 namespace softwall::solid {
 
@@ -11,6 +10,7 @@ namespace {
 
 /// Stress components where they live.
 struct Stress {
+  static constexpr bool kAcrossRowsOnly = false;
   Fraction phi;
   View<const Real> Bxx, Byy, Bzz, Bxy, Bxz, Byz;
   Real G;
@@ -30,23 +30,21 @@ struct Stress {
 }  // namespace
 
 ElasticForce::ElasticForce(double G, const InterfaceShare& share, const Grid& grid)
-    : G_(Real(G)), share_(share), grid_(grid), now_(grid, 0), before_(grid, 0) {}
+    : G_(Real(G)), share_(share), grid_(grid), divergence_(grid), now_(grid, 0), before_(grid, 0) {}
 
 void ElasticForce::keep() { std::swap(now_, before_); }
 
 void ElasticForce::find(const Material& m, int first_row, int k) {
-  const Grid& g = grid_;
-  const StressDivergence<Stress> force({{m.phi.view(), g.upper_share.data()},
-                                        m.B.xx.view(),
-                                        m.B.yy.view(),
-                                        m.B.zz.view(),
-                                        m.B.xy.view(),
-                                        m.B.xz.view(),
-                                        m.B.yz.view(),
-                                        G_,
-                                        share_.view()},
-                                       g);
-  assign({0, g.nx, first_row, g.ny, k, k + 1}, force, now_);
+  const Stress stress{{m.phi.view(), grid_.upper_share.data()},
+                      m.B.xx.view(),
+                      m.B.yy.view(),
+                      m.B.zz.view(),
+                      m.B.xy.view(),
+                      m.B.xz.view(),
+                      m.B.yz.view(),
+                      G_,
+                      share_.view()};
+  divergence_.find(stress, first_row, grid_.ny, k, now_);
 }
 
 }  // namespace softwall::solid

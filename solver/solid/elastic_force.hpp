@@ -1,8 +1,8 @@
 #pragma once
 
-#include "solver/grid/cell_loop.hpp"
 #include "solver/solid/interface_share.hpp"
 #include "solver/solid/material.hpp"
+#include "solver/solid/stress_divergence.hpp"
 
 /// Force of the neo-Hookean stress on the faces, f_i = d/dx_j [ phi G (B_ij - delta_ij) ], paper
 /// eq:stress-s-he. phi G delta_ij is the gradient of a center field, which the pressure absorbs exactly on
@@ -29,6 +29,7 @@ class ElasticForce {
   Real G_;
   const InterfaceShare& share_;
   const Grid& grid_;
+  StressDivergence divergence_;
   grid::VectorField now_, before_;
 };
 

@@ -6,7 +6,6 @@
 #include "solver/grid/cell_loop.hpp"
 #include "solver/solid/column_extension.hpp"
 #include "solver/solid/fraction.hpp"
-#include "solver/solid/stress_divergence.hpp"
 
 namespace softwall::solid {
 
@@ -14,6 +13,7 @@ namespace {
 
 /// What the fluid's viscous stress lacks, where its components live.
 struct ExcessStress {
+  static constexpr bool kAcrossRowsOnly = false;
   Fraction phi;
   View<const Real> u, v, w;
   View<const Real> shear_xy, shear_yz;  ///< du/dy and dw/dy of the solid
@@ -49,6 +49,11 @@ struct ExcessStress {
     return lacking(phi.edge_yz(i, j, k), share.yz(i, k), (w(i, j, k) - w(i, j - 1, k)) * inv_dy_face[j],
                    shear_yz(i, j, k), (v(i, j, k) - v(i, j, k - 1)) * inv_dz);
   }
+};
+
+/// The same of a solid as viscous as the fluid.
+struct ExcessStressAtInterface : ExcessStress {
+  static constexpr bool kAcrossRowsOnly = true;
 };
 
 /// d/dy of a component of the velocity on its edges, of the solid: in rows first_row <= j <= end_row of this
@@ -109,6 +114,7 @@ ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const InterfaceS
       solid_from_(solid_from),
       share_(share),
       grid_(grid),
+      divergence_(grid),
       shear_xy_(grid, 1),
       shear_yz_(grid, 1),
       force_(grid, 0) {}
@@ -122,11 +128,12 @@ void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity
   find_shear_xy(phi, velocity, solid_from_, g, first_row, end_row_, shear_xy_);
   find_shear(velocity.z, on_yz, solid_from_, g, first_row, end_row_, shear_yz_);
   const ExcessStress stress = stress_of(m, velocity, shear_xy_, shear_yz_, ratio_, share_, g);
-  const auto band = grid::rows(g, first_row, end_row_);
-  if (ratio_ == 1) {
-    assign(band, ShearDivergence(stress, g), force_);
-  } else {
-    assign(band, StressDivergence(stress, g), force_);
+  for (int k = 0; k < g.nz; ++k) {
+    if (ratio_ == 1) {
+      divergence_.find(ExcessStressAtInterface{stress}, first_row, end_row_, k, force_);
+    } else {
+      divergence_.find(stress, first_row, end_row_, k, force_);
+    }
   }
 }
 

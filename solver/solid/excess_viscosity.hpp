@@ -4,6 +4,7 @@
 
 #include "solver/solid/interface_share.hpp"
 #include "solver/solid/material.hpp"
+#include "solver/solid/stress_divergence.hpp"
 
 /// The viscous stress beyond that of the fluid. The momentum equation counts mu_f times the difference g of
 /// the velocity everywhere (fluid/momentum.hpp). In the solid (paper eq:stress-s) this lacks
@@ -48,6 +49,7 @@ class ExcessViscosity {
   Real solid_from_;
   const InterfaceShare& share_;
   const Grid& grid_;
+  StressDivergence divergence_;
   grid::Field shear_xy_, shear_yz_;  ///< du/dy and dw/dy of the solid on edges
   grid::VectorField force_;
   int end_row_ = 0;

@@ -1,70 +1,103 @@
 #pragma once
 
-#include <algorithm>
+#include <utility>
 
-#include "solver/grid/cell_loop.hpp"
 #include "solver/grid/field.hpp"
+#include "solver/parallel/line_memory.hpp"
 
-/// Force of a stress whose normal components live at centers and shear components on edges, as those of B do.
+/// Force of a stress whose normal components live at centers and shear components on edges, as those of B do:
+///   f_i = d s_ij / dx_j
+/// on the faces. Shear stresses, of which each acts on four faces, are found a row at a time; those on the
+/// edges between two rows of cells serve both.
+///
+/// A stress has xx(i, j, k), ..., yz(i, j, k), where the components live, and kAcrossRowsOnly: whether all
+/// but xy and yz are zero.
 namespace softwall::solid {
 
 using grid::Real;
 
-/// f_i = d s_ij / dx_j on the faces. Stress: xx(i, j, k), ..., yz(i, j, k), where the components live.
-template <class Stress>
-struct StressDivergence {
-  Stress s;
-  const Real *inv_dy, *inv_dy_face;
-  Real inv_dx, inv_dz;
+class StressDivergence {
+ public:
+  explicit StressDivergence(const grid::Grid& g) : grid_(g) {
+    const auto length = static_cast<std::size_t>(parallel::whole_lines<Real>(g.nx + 1));
+    for (Row* row : {&low_.xy, &low_.yz, &high_.xy, &high_.yz, &xz_, &next_.xz, &next_.yz})
+      row->resize(length);
+  }
 
-  StressDivergence(const Stress& stress, const grid::Grid& g)
-      : s(stress),
-        inv_dy(g.inv_dy.data()),
-        inv_dy_face(g.inv_dy_face.data()),
-        inv_dx(Real(1 / g.dx)),
-        inv_dz(Real(1 / g.dz)) {}
+  /// Writes the force in rows j0 <= j < j1 of plane k, but for y faces on the lower wall, row 0.
+  template <class Stress>
+  void find(const Stress& s, int j0, int j1, int k, grid::VectorField& force) {
+    fill(low_, s, j0, k);
+    for (int j = j0; j < j1; ++j) {
+      fill(high_, s, j + 1, k);
+      fill(next_.yz, [=](int i) { return s.yz(i, j, k + 1); });
+      if constexpr (!Stress::kAcrossRowsOnly) {
+        fill(xz_, [=](int i) { return s.xz(i, j, k); });
+        fill(next_.xz, [=](int i) { return s.xz(i, j, k + 1); });
+      }
+      add_up(s, j, k, force);
+      std::swap(low_, high_);
+    }
+  }
 
-  Real x(int i, int j, int k) const {
-    return (s.xx(i, j, k) - s.xx(i - 1, j, k)) * inv_dx + (s.xy(i, j + 1, k) - s.xy(i, j, k)) * inv_dy[j] +
-           (s.xz(i, j, k + 1) - s.xz(i, j, k)) * inv_dz;
+ private:
+  using Row = parallel::LineVector<Real>;
+  struct AcrossRows {
+    Row xy, yz;
+  };
+  struct NextPlane {
+    Row xz, yz;
+  };
+
+  template <class Component>
+  void fill(Row& row, const Component& component) const {
+    Real* const to = row.data();
+    const int end = grid_.nx + 1;
+#pragma omp simd
+    for (int i = 0; i < end; ++i) to[i] = component(i);
   }
-  Real y(int i, int j, int k) const {
-    return (s.xy(i + 1, j, k) - s.xy(i, j, k)) * inv_dx +
-           (s.yy(i, j, k) - s.yy(i, j - 1, k)) * inv_dy_face[j] +
-           (s.yz(i, j, k + 1) - s.yz(i, j, k)) * inv_dz;
+  template <class Stress>
+  void fill(AcrossRows& rows, const Stress& s, int j, int k) const {
+    fill(rows.xy, [=](int i) { return s.xy(i, j, k); });
+    fill(rows.yz, [=](int i) { return s.yz(i, j, k); });
   }
-  Real z(int i, int j, int k) const {
-    return (s.xz(i + 1, j, k) - s.xz(i, j, k)) * inv_dx + (s.yz(i, j + 1, k) - s.yz(i, j, k)) * inv_dy[j] +
-           (s.zz(i, j, k) - s.zz(i, j, k - 1)) * inv_dz;
+
+  template <class Stress>
+  void add_up(const Stress& stress, int j, int k, grid::VectorField& force) const {
+    const Stress s = stress;  // a copy, which what the loops write cannot change
+    const Real inv_dx = Real(1 / grid_.dx), inv_dz = Real(1 / grid_.dz), inv_dy = grid_.inv_dy[j],
+               inv_dy_face = grid_.inv_dy_face[j];
+    const Real *const xy0 = low_.xy.data(), *const xy1 = high_.xy.data(), *const yz0 = low_.yz.data(),
+                      *const yz1 = high_.yz.data(), *const next_yz = next_.yz.data(), *const xz = xz_.data(),
+                      *const next_xz = next_.xz.data();
+    Real *const x = &force.x.view()(0, j, k), *const y = &force.y.view()(0, j, k),
+                *const z = &force.z.view()(0, j, k);
+    const int nx = grid_.nx;
+#pragma omp simd
+    for (int i = 0; i < nx; ++i) {
+      Real along_x = (xy1[i] - xy0[i]) * inv_dy, along_z = (yz1[i] - yz0[i]) * inv_dy;
+      if constexpr (!Stress::kAcrossRowsOnly) {
+        along_x += (s.xx(i, j, k) - s.xx(i - 1, j, k)) * inv_dx + (next_xz[i] - xz[i]) * inv_dz;
+        along_z += (xz[i + 1] - xz[i]) * inv_dx + (s.zz(i, j, k) - s.zz(i, j, k - 1)) * inv_dz;
+      }
+      x[i] = along_x;
+      z[i] = along_z;
+    }
+    if (j == 0) return;
+#pragma omp simd
+    for (int i = 0; i < nx; ++i) {
+      Real upright = (xy0[i + 1] - xy0[i]) * inv_dx + (next_yz[i] - yz0[i]) * inv_dz;
+      if constexpr (!Stress::kAcrossRowsOnly) {
+        upright += (s.yy(i, j, k) - s.yy(i, j - 1, k)) * inv_dy_face;
+      }
+      y[i] = upright;
+    }
   }
+
+  const grid::Grid& grid_;
+  AcrossRows low_, high_;
+  Row xz_;
+  NextPlane next_;
 };
-
-/// The same of a stress that is nothing but shear across the rows: xy and yz.
-template <class Stress>
-struct ShearDivergence {
-  Stress s;
-  const Real* inv_dy;
-  Real inv_dx, inv_dz;
-
-  ShearDivergence(const Stress& stress, const grid::Grid& g)
-      : s(stress), inv_dy(g.inv_dy.data()), inv_dx(Real(1 / g.dx)), inv_dz(Real(1 / g.dz)) {}
-
-  Real x(int i, int j, int k) const { return (s.xy(i, j + 1, k) - s.xy(i, j, k)) * inv_dy[j]; }
-  Real y(int i, int j, int k) const {
-    return (s.xy(i + 1, j, k) - s.xy(i, j, k)) * inv_dx + (s.yz(i, j, k + 1) - s.yz(i, j, k)) * inv_dz;
-  }
-  Real z(int i, int j, int k) const { return (s.yz(i, j + 1, k) - s.yz(i, j, k)) * inv_dy[j]; }
-};
-
-/// Writes a force to the faces of a box of cells, but for y faces on the lower wall, row 0.
-template <class Force>
-void assign(const grid::Box& box, const Force& force, grid::VectorField& out) {
-  grid::Box above_wall = box;
-  above_wall.j0 = std::max(box.j0, 1);
-  const auto x = out.x.view(), y = out.y.view(), z = out.z.view();
-  grid::for_each_cell(box, [=](int i, int j, int k) { x(i, j, k) = force.x(i, j, k); });
-  grid::for_each_cell(above_wall, [=](int i, int j, int k) { y(i, j, k) = force.y(i, j, k); });
-  grid::for_each_cell(box, [=](int i, int j, int k) { z(i, j, k) = force.z(i, j, k); });
-}
 
 }  // namespace softwall::solid
