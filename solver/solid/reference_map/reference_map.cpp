@@ -14,6 +14,14 @@ constexpr int kGhost = Material::kGhost;
 /// Rows of d that are kept below the band: as far as transport reads.
 int lowest_kept_row(int first_row) { return std::max(0, first_row - kGhost); }
 
+/// Planes of rates that are found before the first of them is used: as far as transport reads.
+constexpr int kPlanes = kGhost + 1;
+
+grid::VectorField some_planes(Grid g) {
+  g.nz = kPlanes;
+  return {g, 0, grid::Memory::kByPlane};
+}
+
 }  // namespace
 
 ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid, grid::Halo& halo)
@@ -21,7 +29,7 @@ ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid, grid::Halo& ha
       weights_(weights),
       halo_(halo),
       speeds_(grid),
-      now_(grid, 0),
+      recent_(some_planes(grid)),
       before_(grid, 0),
       volume_error_(grid, 1),
       strain_(grid),
@@ -46,30 +54,39 @@ void ReferenceMap::transport(Material& m, const grid::VectorField& velocity, con
   limited_cells_ += derive(m, first_row, ready);
 }
 
+PlaneOfRates ReferenceMap::recent_rates(int k) {
+  const auto plane = [k](grid::Field& f) { return View<Real>{&f(0, 0, k % kPlanes), f.view().stride_y, 0}; };
+  return {plane(recent_.x), plane(recent_.y), plane(recent_.z)};
+}
+
 /// A plane is updated as soon as no other one's rates read it: in one sweep, while it is in the cache.
 void ReferenceMap::advance(Material& m, const grid::VectorField& velocity, const Stage& stage, double dt,
                            int first_row) {
   speeds_.set(dt);
   const VolumeRelaxation relaxation(speeds_, volume_error_);
   for (int k = 0; k < grid_.nz + kGhost; ++k) {
-    if (k < grid_.nz) find_rates(m.displacement, velocity, relaxation, grid_, weights_, {k, first_row}, now_);
+    if (k < grid_.nz) {
+      find_rates(m.displacement, velocity, relaxation, grid_, weights_, {k, first_row}, recent_rates(k));
+    }
     if (k >= kGhost) update(m.displacement, stage, dt, {k - kGhost, first_row});
   }
-  std::swap(now_, before_);
 }
 
+/// The rates of the plane become those of the substep before.
 void ReferenceMap::update(grid::VectorField& d, const Stage& stage, double dt, const RowsOfAPlane& rows) {
   const Real by_now = Real(stage.beta * dt), by_before = Real(stage.gamma * dt);
-  const auto step = [&](grid::Field& component, const grid::Field& now, const grid::Field& before, int j0) {
-    const auto q = component.view();
-    const auto r = now.view(), r_before = before.view();
+  const auto step = [&](grid::Field& component, View<Real> rate, grid::Field& rate_before, int j0) {
+    const auto q = component.view(), before = rate_before.view();
     grid::for_each_cell({0, grid_.nx, j0, grid_.ny, rows.k, rows.k + 1}, [=](int i, int j, int k) {
-      q(i, j, k) += by_now * r(i, j, k) + by_before * r_before(i, j, k);
+      const Real now = rate(i, j, k);
+      q(i, j, k) += by_now * now + by_before * before(i, j, k);
+      before(i, j, k) = now;
     });
   };
-  step(d.x, now_.x, before_.x, rows.j0);
-  step(d.y, now_.y, before_.y, std::max(rows.j0, 1));
-  step(d.z, now_.z, before_.z, rows.j0);
+  const PlaneOfRates now = recent_rates(rows.k);
+  step(d.x, now.x, before_.x, rows.j0);
+  step(d.y, now.y, before_.y, std::max(rows.j0, 1));
+  step(d.z, now.z, before_.z, rows.j0);
 }
 
 void ReferenceMap::extend_below_surface(Material& m, int first_row) {

@@ -38,6 +38,7 @@ class ReferenceMap : public Formulation {
  private:
   void advance(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
                int first_row);
+  [[nodiscard]] PlaneOfRates recent_rates(int k);
   void update(grid::VectorField& displacement, const Stage& stage, double dt, const RowsOfAPlane& rows);
   void extend_below_surface(Material& material, int first_row);
   [[nodiscard]] double row_height_at(double y) const;
@@ -50,8 +51,9 @@ class ReferenceMap : public Formulation {
   WenoWeights weights_;
   grid::Halo& halo_;
   RelaxationSpeeds speeds_;
-  grid::VectorField now_, before_;  ///< r^{k-1}, r^{k-2}
-  grid::Field volume_error_;        ///< at centers
+  grid::VectorField recent_;  ///< r^{k-1} in the last planes where it was found
+  grid::VectorField before_;  ///< r^{k-2}; where d is up to date, r^{k-1}
+  grid::Field volume_error_;  ///< at centers
   StrainSweep strain_;
   Heights own_heights_, wide_heights_;
   Extrapolation extrapolation_;

@@ -84,39 +84,38 @@ struct OnZFace : Around {
 
 template <WenoWeights kWeights, class PointVelocity>
 void rate_of(const grid::Field& component, const PointVelocity& velocity, const Grid& g,
-             const Real* inv_below, const RowsOfAPlane& rows, grid::Field& rate) {
+             const Real* inv_below, const RowsOfAPlane& rows, View<Real> rate) {
   const auto d = component.view();
-  const auto out = rate.view();
   const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz);
   grid::for_each_cell({0, g.nx, rows.j0, g.ny, rows.k, rows.k + 1}, [=](int i, int j, int k) {
     const Real* const q = &d(i, j, k);
     const Real a = velocity.x(i, j, k), b = velocity.y(i, j, k), c = velocity.z(i, j, k);
-    out(i, j, k) = velocity.own(i, j, k) - a * along<kWeights>(q, 1, inv_dx, a) -
-                   b * along_y<kWeights>(q, d.stride_y, inv_below + j, b) -
-                   c * along<kWeights>(q, d.stride_z, inv_dz, c);
+    rate(i, j, k) = velocity.own(i, j, k) - a * along<kWeights>(q, 1, inv_dx, a) -
+                    b * along_y<kWeights>(q, d.stride_y, inv_below + j, b) -
+                    c * along<kWeights>(q, d.stride_z, inv_dz, c);
   });
 }
 
 template <WenoWeights kWeights>
-void rates(const grid::VectorField& d, const Around& around, const Grid& g, const RowsOfAPlane& rows,
-           grid::VectorField& rate) {
+void find_rates(const grid::VectorField& d, const Around& around, const Grid& g, const RowsOfAPlane& rows,
+                const PlaneOfRates& rates) {
   const Real *between_centers = g.inv_dy_face.data(), *between_faces = g.inv_dy.data() - 1;
-  rate_of<kWeights>(d.x, OnXFace{around}, g, between_centers, rows, rate.x);
-  rate_of<kWeights>(d.y, OnYFace{around}, g, between_faces, {rows.k, std::max(rows.j0, 1)}, rate.y);
-  rate_of<kWeights>(d.z, OnZFace{around}, g, between_centers, rows, rate.z);
+  rate_of<kWeights>(d.x, OnXFace{around}, g, between_centers, rows, rates.x);
+  rate_of<kWeights>(d.y, OnYFace{around}, g, between_faces, {rows.k, std::max(rows.j0, 1)}, rates.y);
+  rate_of<kWeights>(d.z, OnZFace{around}, g, between_centers, rows, rates.z);
 }
 
 }  // namespace
 
 void find_rates(const grid::VectorField& displacement, const grid::VectorField& velocity,
                 const VolumeRelaxation& relaxation, const Grid& grid, WenoWeights weights,
-                const RowsOfAPlane& rows, grid::VectorField& rate) {
+                const RowsOfAPlane& rows, const PlaneOfRates& rates) {
   const Around around{velocity.x.view(), velocity.y.view(), velocity.z.view(), grid.upper_share.data(),
                       relaxation};
   if (weights == WenoWeights::kJiangShu) {
-    rates<WenoWeights::kJiangShu>(displacement, around, grid, rows, rate);
+    find_rates<WenoWeights::kJiangShu>(displacement, around, grid, rows, rates);
   } else {
-    rates<WenoWeights::kZ>(displacement, around, grid, rows, rate);
+    find_rates<WenoWeights::kZ>(displacement, around, grid, rows, rates);
   }
 }
 

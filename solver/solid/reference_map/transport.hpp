@@ -16,10 +16,15 @@ struct RowsOfAPlane {
   int k, j0;
 };
 
+/// Where the rates of a plane go; its number does not matter.
+struct PlaneOfRates {
+  View<Real> x, y, z;
+};
+
 /// Writes the rates in these rows. They read `displacement` up to three cells away; its ghost cells and the
 /// velocity's must be filled.
 void find_rates(const grid::VectorField& displacement, const grid::VectorField& velocity,
                 const VolumeRelaxation& relaxation, const Grid& grid, WenoWeights weights,
-                const RowsOfAPlane& rows, grid::VectorField& rate);
+                const RowsOfAPlane& rows, const PlaneOfRates& rates);
 
 }  // namespace softwall::solid::reference_map
