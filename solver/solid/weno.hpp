@@ -27,18 +27,24 @@ inline Real weno5(Real q0, Real q1, Real q2, Real q3, Real q4) {
   const Real c1 = f1 + s1 * (e1 + Real(4.0 / 3) * s1);
   const Real c2 = f2 + s2 * (Real(4.0 / 3) * s2 - e2);
   Real a0, a1, a2;
-  if constexpr (kWeights == WenoWeights::kJiangShu) {
-    // a_r = d_r / c_r^2, brought to one denominator.
-    const Real w0 = square(c0), w1 = square(c1), w2 = square(c2);
-    a0 = Real(0.1) * w1 * w2;
-    a1 = Real(0.6) * w0 * w2;
-    a2 = Real(0.3) * w0 * w1;
-  } else {
+  if constexpr (kWeights == WenoWeights::kZ && sizeof(Real) == sizeof(float)) {
     // a_r = d_r (1 + (tau / c_r)^2), tau = |b0 - b2|; one division serves the three.
     const Real scale = (c0 - c2) / (c0 * c1 * c2);
     a0 = Real(0.1) + Real(0.1) * square(scale * (c1 * c2));
     a1 = Real(0.6) + Real(0.6) * square(scale * (c0 * c2));
     a2 = Real(0.3) + Real(0.3) * square(scale * (c0 * c1));
+  } else {
+    // a_r = d_r / c_r^2, or d_r (c_r^2 + tau^2) / c_r^2, brought to one denominator.
+    const Real w0 = square(c0), w1 = square(c1), w2 = square(c2);
+    a0 = Real(0.1) * (w1 * w2);
+    a1 = Real(0.6) * (w0 * w2);
+    a2 = Real(0.3) * (w0 * w1);
+    if constexpr (kWeights == WenoWeights::kZ) {
+      const Real tau = square(c0 - c2);
+      a0 *= w0 + tau;
+      a1 *= w1 + tau;
+      a2 *= w2 + tau;
+    }
   }
   // What the three parabolas add to q2, six times.
   const Real p0 = 3 * e1 + 2 * s0, p1 = 3 * e1 + 2 * s1, p2 = 3 * e2 - s2;
