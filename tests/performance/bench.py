@@ -15,7 +15,6 @@ import statistics
 import subprocess
 import sys
 import tempfile
-import time
 
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
@@ -27,19 +26,6 @@ def measure(build, ranks, folder=None, program="step_benchmark"):
         command += ["--folder", str(folder)]
     done = subprocess.run(command, env=ENVIRONMENT, stdout=subprocess.PIPE, text=True, check=True)
     return json.loads(done.stdout.strip().splitlines()[-1])
-
-
-def seconds_of_dd(folder, size):
-    """Median time in which dd writes and syncs so many bytes to the disk that holds the folder."""
-    file = folder / "dd.tmp"
-    seconds = []
-    for _ in range(3):
-        begin = time.monotonic()
-        subprocess.run(["dd", "if=/dev/zero", f"of={file}", "bs=1M", f"count={max(1, round(size / 2**20))}",
-                        "conv=fsync"], check=True, stderr=subprocess.DEVNULL)
-        seconds.append(time.monotonic() - begin)
-        file.unlink()
-    return statistics.median(seconds)
 
 
 def samples(run):
@@ -122,7 +108,7 @@ def main():
             show(run)
         result = summary(runs)
         written = runs[2]["elastic"]["checkpoint"]
-        result["checkpoint_over_dd"] = seconds_of_dd(folder, written["bytes"]) / written["seconds"]
+        result["checkpoint_over_dd"] = written["dd_seconds"] / written["seconds"]
     finally:
         shutil.rmtree(folder)
     if options.record:

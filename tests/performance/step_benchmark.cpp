@@ -3,15 +3,18 @@
 // 0: for each sample, or the named one only, nanoseconds per cell and step, the phases, messages, allocations
 // and memory; and the bandwidth that the same ranks reach at the same time. Samples: "rigid", "elastic" (the
 // formulation of the solid that a case has by default) and "elastic_NAME" for every other formulation. With a
-// folder it also writes checkpoints there.
+// folder it also writes checkpoints there, in turns with dd.
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <unistd.h>
@@ -151,18 +154,50 @@ json phases_of(time::Setup& setup, double cells, int steps) {
   return phases;
 }
 
-/// Seconds to write a checkpoint, and its size.
+/// Seconds in which dd writes and syncs so many bytes of zeros to the disk that holds the folder.
+double seconds_of_dd(const std::filesystem::path& folder, std::int64_t bytes) {
+  const auto file = folder / "dd.tmp";
+  const std::string command = "dd if=/dev/zero of='" + file.string() +
+                              "' bs=1M conv=fsync count=" + std::to_string((bytes + (1 << 19)) >> 20) +
+                              " 2>/dev/null";
+  const double begin = MPI_Wtime();
+  const int status = std::system(command.c_str());
+  const double seconds = MPI_Wtime() - begin;
+  if (status != 0) throw std::runtime_error("cannot run: " + command);
+  std::filesystem::remove(file);
+  return seconds;
+}
+
+/// A barrier in which the ranks that wait leave their cores to others.
+void meet_asleep(const parallel::Communicator& world) {
+  MPI_Request request = MPI_REQUEST_NULL;
+  parallel::check(MPI_Ibarrier(world.get(), &request), "MPI_Ibarrier");
+  for (int met = 0; met == 0;) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    parallel::check(MPI_Test(&request, &met, MPI_STATUS_IGNORE), "MPI_Test");
+  }
+}
+
+/// Seconds to write a checkpoint, and for dd to write as much, in turns, on the same disk; and the size.
 json measure_checkpoint(time::State& state, time::Setup& setup, const std::filesystem::path& folder) {
-  std::vector<double> seconds;
-  for (int repetition = 0; repetition < 3; ++repetition) {
+  const auto& world = setup.decomposition.all();
+  const std::int64_t bytes = output::checkpoint_bytes(state, setup.grid);
+  std::vector<double> seconds, dd_seconds;
+  // The first pair does not count: it takes memory that the machine may have to find first.
+  for (int repetition = 0; repetition < 6; ++repetition) {
+    if (world.rank() == 0) dd_seconds.push_back(seconds_of_dd(folder, bytes));
     ++state.step;  // each under its own name
-    parallel::check(MPI_Barrier(setup.decomposition.all().get()), "MPI_Barrier");
+    meet_asleep(world);
     const double begin = MPI_Wtime();
     const auto file = output::write_checkpoint({folder}, {"benchmark", 0}, state, {}, setup);
-    seconds.push_back(parallel::maximum(setup.decomposition.all(), MPI_Wtime() - begin));
-    if (setup.decomposition.all().rank() == 0) std::filesystem::remove(file);
+    seconds.push_back(parallel::maximum(world, MPI_Wtime() - begin));
+    if (world.rank() == 0) std::filesystem::remove(file);
   }
-  return {{"seconds", median(seconds)}, {"bytes", output::checkpoint_bytes(state, setup.grid)}};
+  seconds.erase(seconds.begin());
+  if (world.rank() == 0) dd_seconds.erase(dd_seconds.begin());
+  json result{{"seconds", median(seconds)}, {"bytes", bytes}};
+  if (world.rank() == 0) result["dd_seconds"] = median(dd_seconds);
+  return result;
 }
 
 json measure(const Sample& sample, const Options& options, const parallel::Communicator& world) {
