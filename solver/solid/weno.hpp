@@ -28,7 +28,8 @@ inline Real weno5(Real q0, Real q1, Real q2, Real q3, Real q4) {
   const Real c2 = f2 + s2 * (Real(4.0 / 3) * s2 - e2);
   Real a0, a1, a2;
   if constexpr (kWeights == WenoWeights::kZ && sizeof(Real) == sizeof(float)) {
-    // a_r = d_r (1 + (tau / c_r)^2), tau = |b0 - b2|; one division serves the three.
+    // a_r = d_r (1 + (tau / c_r)^2), tau = |b0 - b2|; one division serves the three. Brought to one
+    // denominator, as below, they would be sixth powers of c, too small for this precision.
     const Real scale = (c0 - c2) / (c0 * c1 * c2);
     a0 = Real(0.1) + Real(0.1) * square(scale * (c1 * c2));
     a1 = Real(0.6) + Real(0.6) * square(scale * (c0 * c2));
@@ -40,10 +41,10 @@ inline Real weno5(Real q0, Real q1, Real q2, Real q3, Real q4) {
     a1 = Real(0.6) * (w0 * w2);
     a2 = Real(0.3) * (w0 * w1);
     if constexpr (kWeights == WenoWeights::kZ) {
-      const Real tau = square(c0 - c2);
-      a0 *= w0 + tau;
-      a1 *= w1 + tau;
-      a2 *= w2 + tau;
+      const Real tau_squared = square(c0 - c2);
+      a0 *= w0 + tau_squared;
+      a1 *= w1 + tau_squared;
+      a2 *= w2 + tau_squared;
     }
   }
   // What the three parabolas add to q2, six times.
