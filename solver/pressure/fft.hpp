@@ -24,15 +24,20 @@ struct DestroyPlan {
 };
 using PlanOwner = std::unique_ptr<std::remove_pointer_t<Library::Plan>, DestroyPlan>;
 
-/// One row of n real numbers <-> n / 2 + 1 coefficients. Rows start at aligned addresses; the real row and,
-/// on the way back, the coefficients are overwritten.
-class RealRowTransform {
+/// Rows of n real numbers <-> n / 2 + 1 coefficients, two rows at a time: a and b travel as one complex row
+/// z = a + i b, of whose coefficients
+///   a^[m] = (z^[m] + conj z^[n - m]) / 2,   b^[m] = (z^[m] - conj z^[n - m]) / 2i.
+/// FFTW's complex transforms fill vectors and its real ones hardly do: of one row of 128 the latter take as
+/// long in single precision as in double. Not normalised either way; the rows of a pair may be the same.
+class RealRowPairTransform {
  public:
-  explicit RealRowTransform(int n);
-  void forward(Real* row, Complex* coefficients) const;
-  void backward(Complex* coefficients, Real* row) const;
+  explicit RealRowPairTransform(int n);
+  void forward(const Real* a, const Real* b, Complex* a_hat, Complex* b_hat);
+  void backward(const Complex* a_hat, const Complex* b_hat, Real* a, Real* b);
 
  private:
+  const int n_;
+  parallel::LineVector<Complex> z_, z_hat_;
   PlanOwner forward_, backward_;
 };
 

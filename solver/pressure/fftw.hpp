@@ -20,12 +20,9 @@ struct Fftw<double> {
 
   static void destroy(Plan p) { fftw_destroy_plan(p); }
 
-  /// n real numbers -> n / 2 + 1 coefficients, and back.
-  static Plan plan_real_row(int n, double* row, Complex* out) {
-    return fftw_plan_dft_r2c_1d(n, row, raw(out), FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
-  }
-  static Plan plan_real_row_back(int n, Complex* in, double* row) {
-    return fftw_plan_dft_c2r_1d(n, raw(in), row, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
+  /// One row of n complex numbers, from one place to another.
+  static Plan plan_row(int n, Complex* from, Complex* to, int sign) {
+    return fftw_plan_dft_1d(n, raw(from), raw(to), sign, FFTW_ESTIMATE);
   }
   /// `rows` rows of n complex numbers, `stride` apart, in place.
   static Plan plan_rows(int n, int rows, int stride, Complex* z, int sign) {
@@ -33,10 +30,7 @@ struct Fftw<double> {
                               FFTW_ESTIMATE);
   }
 
-  static void execute_real_row(Plan p, double* row, Complex* out) { fftw_execute_dft_r2c(p, row, raw(out)); }
-  static void execute_real_row_back(Plan p, Complex* in, double* row) {
-    fftw_execute_dft_c2r(p, raw(in), row);
-  }
+  static void execute_row(Plan p, Complex* from, Complex* to) { fftw_execute_dft(p, raw(from), raw(to)); }
   static void execute_rows(Plan p, Complex* z) { fftw_execute_dft(p, raw(z), raw(z)); }
 };
 
@@ -48,21 +42,15 @@ struct Fftw<float> {
 
   static void destroy(Plan p) { fftwf_destroy_plan(p); }
 
-  static Plan plan_real_row(int n, float* row, Complex* out) {
-    return fftwf_plan_dft_r2c_1d(n, row, raw(out), FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
-  }
-  static Plan plan_real_row_back(int n, Complex* in, float* row) {
-    return fftwf_plan_dft_c2r_1d(n, raw(in), row, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
+  static Plan plan_row(int n, Complex* from, Complex* to, int sign) {
+    return fftwf_plan_dft_1d(n, raw(from), raw(to), sign, FFTW_ESTIMATE);
   }
   static Plan plan_rows(int n, int rows, int stride, Complex* z, int sign) {
     return fftwf_plan_many_dft(1, &n, rows, raw(z), nullptr, 1, stride, raw(z), nullptr, 1, stride, sign,
                                FFTW_ESTIMATE);
   }
 
-  static void execute_real_row(Plan p, float* row, Complex* out) { fftwf_execute_dft_r2c(p, row, raw(out)); }
-  static void execute_real_row_back(Plan p, Complex* in, float* row) {
-    fftwf_execute_dft_c2r(p, raw(in), row);
-  }
+  static void execute_row(Plan p, Complex* from, Complex* to) { fftwf_execute_dft(p, raw(from), raw(to)); }
   static void execute_rows(Plan p, Complex* z) { fftwf_execute_dft(p, raw(z), raw(z)); }
 };
 

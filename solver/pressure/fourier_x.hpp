@@ -6,7 +6,7 @@
 #include "solver/pressure/fft.hpp"
 
 /// The x direction of the Poisson solver: which modes diagonalise the second difference along a row of cells,
-/// and the transform of one row to their coefficients and back. Another condition at the ends of the row
+/// and the transform of two rows to their coefficients and back. Another condition at the ends of the row
 /// needs another class with these members; the solver asks for nothing else.
 namespace softwall::pressure {
 
@@ -28,14 +28,18 @@ class FourierX {
   /// What backward(forward(row)) multiplies the row with.
   [[nodiscard]] double gain() const { return n_; }
 
-  /// One row of n numbers <-> modes() coefficients; both aligned, the input is overwritten.
-  void forward(Real* row, Complex* coefficients) const { transform_.forward(row, coefficients); }
-  void backward(Complex* coefficients, Real* row) const { transform_.backward(coefficients, row); }
+  /// Two rows of n numbers <-> modes() coefficients each; they may be the same row twice.
+  void forward(const Real* a, const Real* b, Complex* a_hat, Complex* b_hat) {
+    transform_.forward(a, b, a_hat, b_hat);
+  }
+  void backward(const Complex* a_hat, const Complex* b_hat, Real* a, Real* b) {
+    transform_.backward(a_hat, b_hat, a, b);
+  }
 
  private:
   int n_;
   double dx_;
-  RealRowTransform transform_;
+  RealRowPairTransform transform_;
 };
 
 }  // namespace softwall::pressure

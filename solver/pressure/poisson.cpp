@@ -31,6 +31,7 @@ Poisson::Poisson(const Grid& g, const parallel::Decomposition& d, parallel::Prof
       transform_z_(g.nz_global, rows_, mode_stride_),
       tridiagonals_(g, 2 * static_cast<std::size_t>(g.nz_global)),
       row_(static_cast<std::size_t>(g.nx_global)),
+      next_row_(row_.size()),
       block_(static_cast<std::size_t>(rows_in_block(row_stride_, rows_) * row_stride_) *
              parallel::Transposition<Complex>::kPlanes),
       plane_(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(mode_stride_)) {
@@ -81,15 +82,28 @@ void Poisson::for_each_block(const Work& work) const {
   }
 }
 
+/// The rows of a block two by two, with the places of their coefficients; the last of an odd number is its
+/// own partner.
+template <class Work>
+void Poisson::for_each_pair(const RowBlock& b, const Work& work) {
+  Complex* here = block_.data();
+  for (int k = b.k0; k < b.k1; ++k) {
+    for (int j = b.j0; j < b.j1; j += 2) {
+      const int next = std::min(j + 1, b.j1 - 1);
+      work(k, j, next, here, here + (next - j) * row_stride_);
+      here += (next - j + 1) * row_stride_;
+    }
+  }
+}
+
 void Poisson::transform_rows(const GiveRow& give) {
   for_each_block([&](const RowBlock& b) {
-    Complex* coefficients = block_.data();
-    for (int k = b.k0; k < b.k1; ++k) {
-      for (int j = b.j0; j < b.j1; ++j, coefficients += row_stride_) {
-        give(j, k, row_.data());
-        transform_x_.forward(row_.data(), coefficients);
-      }
-    }
+    for_each_pair(b, [&](int k, int j, int next, Complex* here, Complex* there) {
+      Real *const row = row_.data(), *const next_row = next > j ? next_row_.data() : row;
+      give(j, k, row);
+      if (next > j) give(next, k, next_row);
+      transform_x_.forward(row, next_row, here, there);
+    });
     turn_.pack(b, block_.data(), row_stride_);
   });
 }
@@ -97,13 +111,11 @@ void Poisson::transform_rows(const GiveRow& give) {
 void Poisson::transform_back(const TakeRow& take) {
   for_each_block([&](const RowBlock& b) {
     turn_.unpack(b, block_.data(), row_stride_);
-    Complex* coefficients = block_.data();
-    for (int k = b.k0; k < b.k1; ++k) {
-      for (int j = b.j0; j < b.j1; ++j, coefficients += row_stride_) {
-        transform_x_.backward(coefficients, row_.data());
-        take(j, k, row_.data());
-      }
-    }
+    for_each_pair(b, [&](int k, int j, int next, const Complex* here, const Complex* there) {
+      transform_x_.backward(here, there, row_.data(), next_row_.data());
+      take(j, k, row_.data());
+      if (next > j) take(next, k, next_row_.data());
+    });
   });
 }
 

@@ -44,6 +44,8 @@ class Poisson {
  private:
   template <class Work>
   void for_each_block(const Work& work) const;
+  template <class Work>
+  void for_each_pair(const parallel::RowBlock& block, const Work& work);
   void transform_rows(const GiveRow& give);
   void transform_back(const TakeRow& take);
   void forward_in_z(int mode);
@@ -64,12 +66,12 @@ class Poisson {
   const int row_stride_, mode_stride_;  ///< padded lengths of a row of coefficients in x, and in z
   ComplexRowsTransform transform_z_;
   Tridiagonals tridiagonals_;
-  std::vector<Real> kappa2_x_;           ///< of this rank's modes in x
-  std::vector<Real> kappa2_z_;           ///< of this rank's modes in z, each twice: real and imaginary part
-  bool holds_mean_ = false;              ///< this rank has the mode kx = kz = 0
-  parallel::LineVector<Real> row_;       ///< one row of cells
-  parallel::LineVector<Complex> block_;  ///< coefficients in x of a few rows
-  parallel::LineVector<Complex> plane_;  ///< one mode in x: coefficients in z of all rows
+  std::vector<Real> kappa2_x_;  ///< of this rank's modes in x
+  std::vector<Real> kappa2_z_;  ///< of this rank's modes in z, each twice: real and imaginary part
+  bool holds_mean_ = false;     ///< this rank has the mode kx = kz = 0
+  parallel::LineVector<Real> row_, next_row_;        ///< a pair of rows of cells
+  parallel::LineVector<Complex> block_;              ///< coefficients in x of a few rows
+  parallel::LineVector<Complex> plane_;              ///< one mode in x: coefficients in z of all rows
   parallel::LineVector<Real> columns_, x_whole_;     ///< px > 1
   parallel::LineVector<Complex> z_whole_, y_whole_;  ///< px > 1
 };
