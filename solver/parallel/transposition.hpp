@@ -42,10 +42,12 @@ class Transposition {
 
   /// `rows`: value (k, j, mode) of the block at [((k - k0) * (j1 - j0) + j - j0) * stride + mode].
   void pack(const RowBlock& b, const T* rows, std::ptrdiff_t stride) {
-    turn(b, rows, stride, [](T* turned, const T* straight) { std::memcpy(turned, straight, sizeof(T)); });
+    turn<Use::kWrite>(b, rows, stride,
+                      [](T* turned, const T* straight) { std::memcpy(turned, straight, sizeof(T)); });
   }
   void unpack(const RowBlock& b, T* rows, std::ptrdiff_t stride) {
-    turn(b, rows, stride, [](const T* turned, T* straight) { std::memcpy(straight, turned, sizeof(T)); });
+    turn<Use::kRead>(b, rows, stride,
+                     [](const T* turned, T* straight) { std::memcpy(straight, turned, sizeof(T)); });
   }
 
   void to_modes() { pieces_.there(); }
@@ -60,6 +62,10 @@ class Transposition {
   }
 
  private:
+  /// How a line of the cache is about to be used: the second argument of the compiler's prefetch.
+  enum class Use { kRead = 0, kWrite = 1 };
+  static constexpr int kRowsAhead = 2;
+
   [[nodiscard]] Range own_z() const { return z_[rank_]; }
   /// Distance between the modes of a piece that is `z` long: an odd number of lines, lest all of them share
   /// one place of the cache.
@@ -79,12 +85,14 @@ class Transposition {
   }
 
   /// Pieces have the layout (mode, y, z) on both sides. Tiles of kPlanes modes and planes read and write
-  /// whole lines of the cache.
-  template <class Value, class Copy>
+  /// whole lines of the cache. These lie so far apart that only we know which comes next: they are fetched
+  /// kRowsAhead rows before their turn.
+  template <Use kUse, class Value, class Copy>
   void turn(const RowBlock& b, Value* rows, std::ptrdiff_t stride, const Copy& copy) {
     const std::ptrdiff_t plane = b.rows() * stride, length = mode_length(own_z().size());
-    const auto tile = [&](T* turned, Value* straight, int modes, int planes) {
+    const auto tile = [&](T* turned, std::ptrdiff_t ahead, Value* straight, int modes, int planes) {
       for (int m = 0; m < modes; ++m) {
+        __builtin_prefetch(turned + m * length + ahead, int(kUse));
         for (int q = 0; q < planes; ++q) copy(turned + m * length + q, straight + q * plane + m);
       }
     };
@@ -92,13 +100,14 @@ class Transposition {
       const Range part = modes_[r];
       for (int j = b.j0; j < b.j1; ++j) {
         T* turned = pieces_.near(r) + std::ptrdiff_t(j) * own_z().size() + b.k0;
+        const std::ptrdiff_t ahead = std::ptrdiff_t(std::min(kRowsAhead, rows_ - 1 - j)) * own_z().size();
         Value* straight = rows + (j - b.j0) * stride + part.begin;
         int left = part.size();
         if (b.planes() == kPlanes) {
           for (; left >= kPlanes; left -= kPlanes, turned += kPlanes * length, straight += kPlanes)
-            tile(turned, straight, kPlanes, kPlanes);
+            tile(turned, ahead, straight, kPlanes, kPlanes);
         }
-        tile(turned, straight, left, b.planes());
+        tile(turned, ahead, straight, left, b.planes());
       }
     }
   }
