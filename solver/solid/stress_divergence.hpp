@@ -30,10 +30,10 @@ class StressDivergence {
     fill(low_, s, j0, k);
     for (int j = j0; j < j1; ++j) {
       fill(high_, s, j + 1, k);
-      fill(next_.yz, [=](int i) { return s.yz(i, j, k + 1); });
+      fill(next_.yz, nx(), [=](int i) { return s.yz(i, j, k + 1); });
       if constexpr (!Stress::kAcrossRowsOnly) {
-        fill(xz_, [=](int i) { return s.xz(i, j, k); });
-        fill(next_.xz, [=](int i) { return s.xz(i, j, k + 1); });
+        fill(xz_, nx() + 1, [=](int i) { return s.xz(i, j, k); });
+        fill(next_.xz, nx(), [=](int i) { return s.xz(i, j, k + 1); });
       }
       add_up(s, j, k, force);
       std::swap(low_, high_);
@@ -49,17 +49,18 @@ class StressDivergence {
     Row xz, yz;
   };
 
+  [[nodiscard]] int nx() const { return grid_.nx; }
+
   template <class Component>
-  void fill(Row& row, const Component& component) const {
+  static void fill(Row& row, int end, const Component& component) {
     Real* const to = row.data();
-    const int end = grid_.nx + 1;
 #pragma omp simd
     for (int i = 0; i < end; ++i) to[i] = component(i);
   }
   template <class Stress>
   void fill(AcrossRows& rows, const Stress& s, int j, int k) const {
-    fill(rows.xy, [=](int i) { return s.xy(i, j, k); });
-    fill(rows.yz, [=](int i) { return s.yz(i, j, k); });
+    fill(rows.xy, nx() + 1, [=](int i) { return s.xy(i, j, k); });
+    fill(rows.yz, nx(), [=](int i) { return s.yz(i, j, k); });
   }
 
   template <class Stress>
@@ -72,9 +73,9 @@ class StressDivergence {
                       *const next_xz = next_.xz.data();
     Real *const x = &force.x.view()(0, j, k), *const y = &force.y.view()(0, j, k),
                 *const z = &force.z.view()(0, j, k);
-    const int nx = grid_.nx;
+    const int end = nx();
 #pragma omp simd
-    for (int i = 0; i < nx; ++i) {
+    for (int i = 0; i < end; ++i) {
       Real along_x = (xy1[i] - xy0[i]) * inv_dy, along_z = (yz1[i] - yz0[i]) * inv_dy;
       if constexpr (!Stress::kAcrossRowsOnly) {
         along_x += (s.xx(i, j, k) - s.xx(i - 1, j, k)) * inv_dx + (next_xz[i] - xz[i]) * inv_dz;
@@ -85,7 +86,7 @@ class StressDivergence {
     }
     if (j == 0) return;
 #pragma omp simd
-    for (int i = 0; i < nx; ++i) {
+    for (int i = 0; i < end; ++i) {
       Real upright = (xy0[i + 1] - xy0[i]) * inv_dx + (next_yz[i] - yz0[i]) * inv_dz;
       if constexpr (!Stress::kAcrossRowsOnly) {
         upright += (s.yy(i, j, k) - s.yy(i, j - 1, k)) * inv_dy_face;

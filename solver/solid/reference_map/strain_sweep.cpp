@@ -6,11 +6,13 @@ namespace softwall::solid::reference_map {
 
 namespace {
 
-/// Runs the kernel along a row of cells, one ghost column on either side included.
+/// Runs the kernel in columns first <= i < end, those before 0 apart, so that vectors begin lines of the
+/// cache.
 template <class Kernel>
-[[gnu::always_inline]] inline void along_row(int nx, const Kernel& kernel) {
+[[gnu::always_inline]] inline void along_row(int first, int end, const Kernel& kernel) {
+  for (int i = first; i < 0; ++i) kernel(i);
 #pragma omp simd
-  for (int i = -1; i <= nx; ++i) kernel(i);
+  for (int i = 0; i < end; ++i) kernel(i);
 }
 
 /// With any solid in them, of n cells side by side.
@@ -21,16 +23,17 @@ std::int64_t torn_cells(const Real* phi, const Real* J, int n) {
   return torn;
 }
 
-/// Element 0 of a row is that of column 0.
+/// Element 0 of a row is that of column 0; a line of the cache before it holds that of column -1.
+constexpr int kBefore = parallel::kLineBytes / sizeof(Real);
 template <class Row>
 auto first(Row& row) {
-  return row.data() + 1;
+  return row.data() + kBefore;
 }
 
 }  // namespace
 
 StrainSweep::StrainSweep(const Grid& g) : nx_(g.nx), ny_(g.ny), nz_(g.nz) {
-  const auto length = static_cast<std::size_t>(parallel::whole_lines<Real>(g.nx + 2));
+  const auto length = static_cast<std::size_t>(parallel::whole_lines<Real>(kBefore + g.nx + 1));
   for (CellRow* row : {&below_, &above_}) {
     for (auto* means : {&row->to_xy, &row->to_yz}) {
       for (Row* r : {&means->xx, &means->yy, &means->zz, &means->xz, &means->zx}) r->resize(length);
@@ -48,18 +51,23 @@ std::int64_t StrainSweep::run(const Strain& strain, View<const Real> phi, int fi
                               const StrainFields& to, const PlaneReady& ready) {
   std::int64_t torn = 0;
   for (int k = -1; k <= nz_; ++k) {
-    average(below_, strain, first_row - 1, k);
+    const bool has_centers = k < nz_, has_edges = k >= 0;
+    if (has_edges) average(below_, strain, first_row - 1, k);
     average(low_, strain, first_row, k);
     for (int j = first_row; j <= ny_; ++j) {
-      average(above_, strain, j, k);
-      edges_xy(strain, j, k, to.xy);
-      edges_yz(strain, j, k, to.yz);
-      std::swap(below_, above_);
+      if (has_edges) {
+        average(above_, strain, j, k);
+        edges_xy(strain, j, k, to.xy);
+        edges_yz(strain, j, k, to.yz);
+        std::swap(below_, above_);
+      }
       if (j == ny_) break;
       average(high_, strain, j + 1, k);
-      const Real* const J = centers(strain, phi, j, k, to);
-      if (k >= 0 && k < nz_) torn += torn_cells(&phi(0, j, k), J, nx_);
-      edges_xz(strain, j, k, to.xz);
+      if (has_centers) {
+        const Real* const J = centers(strain, phi, j, k, to);
+        if (has_edges) torn += torn_cells(&phi(0, j, k), J, nx_);
+      }
+      if (has_edges) edges_xz(strain, j, k, to.xz);
       std::swap(low_, high_);
     }
     if (k > 0) ready(k - 1);
@@ -73,7 +81,7 @@ void StrainSweep::average(CellRow& row, const Strain& s, int j, int k) const {
   {
     Real *const xx = first(row.to_xy.xx), *const yy = first(row.to_xy.yy), *const zz = first(row.to_xy.zz),
                 *const xz = first(row.to_xy.xz), *const zx = first(row.to_xy.zx);
-    along_row(nx_, [=](int i) {
+    along_row(0, nx_ + 1, [=](int i) {
       xx[i] = 1 - in_x * (x(i + 1, j, k) - x(i - 1, j, k));
       yy[i] = 1 - in_y * (y(i, j + 1, k) - y(i, j, k) + (y(i - 1, j + 1, k) - y(i - 1, j, k)));
       zz[i] = 1 - in_z * (z(i, j, k + 1) - z(i, j, k) + (z(i - 1, j, k + 1) - z(i - 1, j, k)));
@@ -83,7 +91,7 @@ void StrainSweep::average(CellRow& row, const Strain& s, int j, int k) const {
   }
   Real *const xx = first(row.to_yz.xx), *const yy = first(row.to_yz.yy), *const zz = first(row.to_yz.zz),
               *const xz = first(row.to_yz.xz), *const zx = first(row.to_yz.zx);
-  along_row(nx_, [=](int i) {
+  along_row(0, nx_, [=](int i) {
     xx[i] = 1 - in_x * (x(i + 1, j, k) - x(i, j, k) + (x(i + 1, j, k - 1) - x(i, j, k - 1)));
     yy[i] = 1 - in_y * (y(i, j + 1, k) - y(i, j, k) + (y(i, j + 1, k - 1) - y(i, j, k - 1)));
     zz[i] = 1 - in_z * (z(i, j, k + 1) - z(i, j, k - 1));
@@ -98,16 +106,17 @@ void StrainSweep::average(FaceRow& row, const Strain& s, int j, int k) const {
   {
     Real *const xy = first(row.to_center.xy), *const yx = first(row.to_center.yx),
                 *const yz = first(row.to_center.yz), *const zy = first(row.to_center.zy);
-    along_row(nx_, [=](int i) {
-      xy[i] = -in_y * (x(i, j, k) - x(i, j - 1, k) + (x(i + 1, j, k) - x(i + 1, j - 1, k)));
-      yx[i] = -in_x * (y(i + 1, j, k) - y(i - 1, j, k));
-      yz[i] = -in_z * (y(i, j, k + 1) - y(i, j, k - 1));
-      zy[i] = -in_y * (z(i, j, k) - z(i, j - 1, k) + (z(i, j, k + 1) - z(i, j - 1, k + 1)));
-    });
+    along_row(
+        -1, nx_, [=](int i) __attribute__((always_inline)) {
+          xy[i] = -in_y * (x(i, j, k) - x(i, j - 1, k) + (x(i + 1, j, k) - x(i + 1, j - 1, k)));
+          yx[i] = -in_x * (y(i + 1, j, k) - y(i - 1, j, k));
+          yz[i] = -in_z * (y(i, j, k + 1) - y(i, j, k - 1));
+          zy[i] = -in_y * (z(i, j, k) - z(i, j - 1, k) + (z(i, j, k + 1) - z(i, j - 1, k + 1)));
+        });
   }
   Real *const xy = first(row.to_xz.xy), *const yx = first(row.to_xz.yx), *const yz = first(row.to_xz.yz),
               *const zy = first(row.to_xz.zy);
-  along_row(nx_, [=](int i) {
+  along_row(0, nx_ + 1, [=](int i) {
     xy[i] = -in_y * (x(i, j, k) - x(i, j - 1, k) + (x(i, j, k - 1) - x(i, j - 1, k - 1)));
     yx[i] = -in_x * (y(i, j, k) - y(i - 1, j, k) + (y(i, j, k - 1) - y(i - 1, j, k - 1)));
     yz[i] = -in_z * (y(i, j, k) - y(i, j, k - 1) + (y(i - 1, j, k) - y(i - 1, j, k - 1)));
@@ -125,23 +134,25 @@ const Real* StrainSweep::centers(const Strain& s, View<const Real> phi, int j, i
                     *const yx1 = first(b.yx), *const yz0 = first(a.yz), *const yz1 = first(b.yz),
                     *const zy0 = first(a.zy), *const zy1 = first(b.zy);
   const Real inv_dx = s.inv_dx, inv_dy = s.inv_dy[j], inv_dz = s.inv_dz, in_x = inv_dx / 4, in_z = inv_dz / 4;
-  along_row(nx_, [=](int i) {
-    const MapGradient A{1 - inv_dx * (x(i + 1, j, k) - x(i, j, k)),
-                        xy0[i] + xy1[i],
-                        -in_z * (x(i, j, k + 1) - x(i, j, k - 1) + (x(i + 1, j, k + 1) - x(i + 1, j, k - 1))),
-                        yx0[i] + yx1[i],
-                        1 - inv_dy * (y(i, j + 1, k) - y(i, j, k)),
-                        yz0[i] + yz1[i],
-                        -in_x * (z(i + 1, j, k) - z(i - 1, j, k) + (z(i + 1, j, k + 1) - z(i - 1, j, k + 1))),
-                        zy0[i] + zy1[i],
-                        1 - inv_dz * (z(i, j, k + 1) - z(i, j, k))};
-    const Real J = A.determinant(), factor = volume_factor(J);
-    determinant[i] = J;
-    to.volume_error(i, j, k) = volume_error(phi(i, j, k), J);
-    to.xx(i, j, k) = factor * A.square_x();
-    to.yy(i, j, k) = factor * A.square_y();
-    to.zz(i, j, k) = factor * A.square_z();
-  });
+  along_row(
+      -1, nx_, [=](int i) __attribute__((always_inline)) {
+        const MapGradient A{
+            1 - inv_dx * (x(i + 1, j, k) - x(i, j, k)),
+            xy0[i] + xy1[i],
+            -in_z * (x(i, j, k + 1) - x(i, j, k - 1) + (x(i + 1, j, k + 1) - x(i + 1, j, k - 1))),
+            yx0[i] + yx1[i],
+            1 - inv_dy * (y(i, j + 1, k) - y(i, j, k)),
+            yz0[i] + yz1[i],
+            -in_x * (z(i + 1, j, k) - z(i - 1, j, k) + (z(i + 1, j, k + 1) - z(i - 1, j, k + 1))),
+            zy0[i] + zy1[i],
+            1 - inv_dz * (z(i, j, k + 1) - z(i, j, k))};
+        const Real J = A.determinant(), factor = volume_factor(J);
+        determinant[i] = J;
+        to.volume_error(i, j, k) = volume_error(phi(i, j, k), J);
+        to.xx(i, j, k) = factor * A.square_x();
+        to.yy(i, j, k) = factor * A.square_y();
+        to.zz(i, j, k) = factor * A.square_z();
+      });
   return determinant;
 }
 
@@ -153,7 +164,7 @@ void StrainSweep::edges_xz(const Strain& s, int j, int k, View<Real> to) const {
                     *const zy0 = first(a.zy), *const zy1 = first(b.zy);
   const Real inv_dx = s.inv_dx, inv_dz = s.inv_dz, in_x = inv_dx / 4, in_y = s.inv_dy[j] / 4,
              in_z = inv_dz / 4;
-  along_row(nx_, [=](int i) {
+  along_row(0, nx_ + 1, [=](int i) {
     const Real rise = y(i, j + 1, k) - y(i, j, k) + (y(i - 1, j + 1, k) - y(i - 1, j, k)) +
                       (y(i, j + 1, k - 1) - y(i, j, k - 1) + (y(i - 1, j + 1, k - 1) - y(i - 1, j, k - 1)));
     const MapGradient A{
@@ -179,7 +190,7 @@ void StrainSweep::edges_xy(const Strain& s, int j, int k, View<Real> to) const {
                     *const zx1 = first(b.zx);
   const Real up = s.upper_share[j], inv_dx = s.inv_dx, inv_dy = s.inv_dy_face[j], in_y = inv_dy / 4,
              in_z = s.inv_dz / 4;
-  along_row(nx_, [=](int i) {
+  along_row(0, nx_ + 1, [=](int i) {
     const Real rise = z(i, j, k) - z(i, j - 1, k) + (z(i - 1, j, k) - z(i - 1, j - 1, k)) +
                       (z(i, j, k + 1) - z(i, j - 1, k + 1) + (z(i - 1, j, k + 1) - z(i - 1, j - 1, k + 1)));
     const MapGradient A{xx0[i] + up * (xx1[i] - xx0[i]),
@@ -204,7 +215,7 @@ void StrainSweep::edges_yz(const Strain& s, int j, int k, View<Real> to) const {
                     *const zx1 = first(b.zx);
   const Real up = s.upper_share[j], inv_dz = s.inv_dz, inv_dy = s.inv_dy_face[j], in_x = s.inv_dx / 4,
              in_y = inv_dy / 4;
-  along_row(nx_, [=](int i) {
+  along_row(0, nx_, [=](int i) {
     const Real rise = x(i, j, k) - x(i, j - 1, k) + (x(i + 1, j, k) - x(i + 1, j - 1, k)) +
                       (x(i, j, k - 1) - x(i, j - 1, k - 1) + (x(i + 1, j, k - 1) - x(i + 1, j - 1, k - 1)));
     const MapGradient A{xx0[i] + up * (xx1[i] - xx0[i]),

@@ -25,14 +25,14 @@ class StrainSweep {
  public:
   explicit StrainSweep(const Grid& grid);
 
-  /// Rows first_row <= j < ny, xy and yz edges on the upper wall, too; one column more on every side. Returns
-  /// the number of this rank's torn cells: with any solid in them and det A beyond its bounds. ready: when
-  /// the next plane is found, too.
+  /// Rows first_row <= j < ny, xy and yz edges on the upper wall, too; and what borders on this rank's cells:
+  /// centers one column and plane before them, edges on their high sides. Returns the number of this rank's
+  /// torn cells: with any solid in them and det A beyond its bounds. ready: when the next plane is found,
+  /// too.
   std::int64_t run(const Strain& strain, View<const Real> phi, int first_row, const StrainFields& to,
                    const PlaneReady& ready);
 
  private:
-  /// Number i of this rank's cells at [i + 1]: loops begin at the ghost column -1.
   using Row = parallel::LineVector<Real>;
   /// Of a row of cells, means over x to the planes of xy edges and over z to those of yz edges.
   struct CellRow {

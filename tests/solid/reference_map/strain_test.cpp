@@ -120,15 +120,17 @@ TEST(StrainSweep, FindsWhatTheKernelsFindAtEachPlace) {
       for (int k = -1; k <= g.nz; ++k) {
         for (int j = first_row; j <= g.ny; ++j) {
           for (int i = -1; i <= g.nx; ++i) {
-            compare(B.xy(i, j, k), left_cauchy_green(edge_xy(strain, i, j, k)).xy);
-            compare(B.yz(i, j, k), left_cauchy_green(edge_yz(strain, i, j, k)).yz);
+            const bool edge = i >= 0 && k >= 0, center = i < g.nx && k < g.nz;
+            if (edge && k < g.nz) compare(B.xy(i, j, k), left_cauchy_green(edge_xy(strain, i, j, k)).xy);
+            if (edge && i < g.nx) compare(B.yz(i, j, k), left_cauchy_green(edge_yz(strain, i, j, k)).yz);
             if (j == g.ny) continue;
+            if (edge) compare(B.xz(i, j, k), left_cauchy_green(edge_xz(strain, i, j, k)).xz);
+            if (!center) continue;
             const MapGradient A = strain.center(i, j, k);
             compare(error(i, j, k), volume_error(phi(i, j, k), A.determinant()));
             compare(B.xx(i, j, k), left_cauchy_green(A).xx);
             compare(B.yy(i, j, k), left_cauchy_green(A).yy);
             compare(B.zz(i, j, k), left_cauchy_green(A).zz);
-            compare(B.xz(i, j, k), left_cauchy_green(edge_xz(strain, i, j, k)).xz);
           }
         }
       }
