@@ -26,30 +26,34 @@ inline Real weno5(Real q0, Real q1, Real q2, Real q3, Real q4) {
   const Real c0 = f1 + s0 * (e1 + Real(4.0 / 3) * s0);
   const Real c1 = f1 + s1 * (e1 + Real(4.0 / 3) * s1);
   const Real c2 = f2 + s2 * (Real(4.0 / 3) * s2 - e2);
+  // Ten times the weights, or that times a common factor.
   Real a0, a1, a2;
   if constexpr (kWeights == WenoWeights::kZ && sizeof(Real) == sizeof(float)) {
     // a_r = d_r (1 + (tau / c_r)^2), tau = |b0 - b2|; one division serves the three. Brought to one
     // denominator, as below, they would be sixth powers of c, too small for this precision.
     const Real scale = (c0 - c2) / (c0 * c1 * c2);
-    a0 = Real(0.1) + Real(0.1) * square(scale * (c1 * c2));
-    a1 = Real(0.6) + Real(0.6) * square(scale * (c0 * c2));
-    a2 = Real(0.3) + Real(0.3) * square(scale * (c0 * c1));
+    a0 = 1 + square(scale * (c1 * c2));
+    a1 = 6 + 6 * square(scale * (c0 * c2));
+    a2 = 3 + 3 * square(scale * (c0 * c1));
   } else {
-    // a_r = d_r / c_r^2, or d_r (c_r^2 + tau^2) / c_r^2, brought to one denominator.
+    // a_r = d_r / c_r^2, or d_r (1 + tau^2 / c_r^2), brought to one denominator.
     const Real w0 = square(c0), w1 = square(c1), w2 = square(c2);
-    a0 = Real(0.1) * (w1 * w2);
-    a1 = Real(0.6) * (w0 * w2);
-    a2 = Real(0.3) * (w0 * w1);
+    a0 = w1 * w2;
+    a1 = w0 * w2;
+    a2 = w0 * w1;
     if constexpr (kWeights == WenoWeights::kZ) {
-      const Real tau_squared = square(c0 - c2);
-      a0 *= w0 + tau_squared;
-      a1 *= w1 + tau_squared;
-      a2 *= w2 + tau_squared;
+      const Real all = w0 * a0, tau_squared = square(c0 - c2);
+      a0 = all + tau_squared * a0;
+      a1 = all + tau_squared * a1;
+      a2 = all + tau_squared * a2;
     }
+    a1 *= 6;
+    a2 *= 3;
   }
-  // What the three parabolas add to q2, six times.
-  const Real p0 = 3 * e1 + 2 * s0, p1 = 3 * e1 + 2 * s1, p2 = 3 * e2 - s2;
-  return q2 + (a0 * p0 + a1 * p1 + a2 * p2) / (6 * (a0 + a1 + a2));
+  // What the three parabolas add to q2, twice.
+  constexpr Real kThird = Real(1.0 / 3);
+  const Real p0 = e1 + 2 * kThird * s0, p1 = e1 + 2 * kThird * s1, p2 = e2 - kThird * s2;
+  return q2 + (a0 * p0 + a1 * p1 + a2 * p2) / (2 * (a0 + a1 + a2));
 }
 
 /// Flux `velocity * q` through the face between the cells at `q[-stride]` and `q[0]`.
