@@ -16,7 +16,7 @@ build_packages=(
   libxxhash-dev                     # identities, checksums
 )
 test_packages=(
-  libgtest-dev
+  libgtest-dev libbenchmark-dev
   python3                           # contract and end-to-end tests
   python3-h5py python3-matplotlib   # figures (analysis/)
   clang-format clang-tidy
