@@ -5,8 +5,8 @@ namespace softwall::grid {
 namespace {
 
 /// Copies a box of cells into a buffer, or back; returns the number of cells.
-template <bool kToBuffer>
-std::size_t copy_box(Field& field, const Box& box, Real* buffer) {
+template <bool kToBuffer, class Value>
+std::size_t copy_box(Field& field, const Box& box, Value* buffer) {
   const auto cell = field.view();
   std::size_t n = 0;
   for (int k = box.k0; k < box.k1; ++k) {
@@ -102,7 +102,11 @@ void repeat_column(Side side, Field& f, RowSpan rows) {
 }  // namespace
 
 Halo::Halo(const parallel::Decomposition& decomposition, bool walls_in_x, parallel::Profile* profile)
-    : decomposition_(decomposition), walls_in_x_(walls_in_x), profile_(profile) {}
+    : decomposition_(decomposition),
+      walls_in_x_(walls_in_x),
+      profile_(profile),
+      shift_in_x_(decomposition.x_line()),
+      shift_in_z_(decomposition.z_line()) {}
 
 const parallel::Communicator& Halo::line_of(Side side) const {
   return in_x(side) ? decomposition_.x_line() : decomposition_.z_line();
@@ -130,23 +134,14 @@ void Halo::fill_side(Side side, std::initializer_list<Field*> fields, RowSpan ro
 void Halo::exchange(Side side, std::initializer_list<Field*> fields, RowSpan rows) {
   std::size_t total = 0;
   for (const Field* f : fields) total += cells(shift_to(side, *f, rows).from);
-  if (send_.size() < total) {
-    send_.resize(total);
-    receive_.resize(total);
-  }
+  auto& line_shift = in_x(side) ? shift_in_x_ : shift_in_z_;
+  Real* const outgoing = line_shift.outgoing(total);
   std::size_t n = 0;
-  for (Field* f : fields) n += copy_box<true>(*f, shift_to(side, *f, rows).from, send_.data() + n);
-  const auto& line = line_of(side);
-  const int ranks = line.size(), rank = line.rank();
-  const int direction = shift_to(side, **fields.begin(), rows).direction;
-  const int next = (rank + direction + ranks) % ranks, previous = (rank - direction + ranks) % ranks;
-  const auto type = parallel::mpi_type<Real>();
-  parallel::check(MPI_Sendrecv(send_.data(), static_cast<int>(total), type, next, 0, receive_.data(),
-                               static_cast<int>(total), type, previous, 0, line.get(), MPI_STATUS_IGNORE),
-                  "MPI_Sendrecv");
+  for (Field* f : fields) n += copy_box<true>(*f, shift_to(side, *f, rows).from, outgoing + n);
+  const Real* const incoming = line_shift.shift(shift_to(side, **fields.begin(), rows).direction);
   if (profile_) profile_->count_messages(1, total * sizeof(Real));
   n = 0;
-  for (Field* f : fields) n += copy_box<false>(*f, shift_to(side, *f, rows).to, receive_.data() + n);
+  for (Field* f : fields) n += copy_box<false>(*f, shift_to(side, *f, rows).to, incoming + n);
 }
 
 void Halo::fill_in_x(std::initializer_list<Field*> fields, RowSpan rows) {

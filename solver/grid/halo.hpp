@@ -1,11 +1,11 @@
 #pragma once
 
 #include <initializer_list>
-#include <vector>
 
 #include "solver/grid/cell_loop.hpp"
 #include "solver/grid/field.hpp"
 #include "solver/parallel/decomposition.hpp"
+#include "solver/parallel/line_shift.hpp"
 #include "solver/parallel/profile.hpp"
 
 /// Ghost layers in x and z, filled from the neighbouring ranks (or from the rank itself). Both directions are
@@ -63,7 +63,7 @@ class Halo {
   const parallel::Decomposition& decomposition_;
   const bool walls_in_x_;
   parallel::Profile* profile_;
-  std::vector<Real> send_, receive_;
+  parallel::LineShift<Real> shift_in_x_, shift_in_z_;
 };
 
 }  // namespace softwall::grid

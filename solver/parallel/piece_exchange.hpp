@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -15,11 +14,6 @@
 
 /// How the ranks of a line hand each other one piece of an array each, there and back.
 namespace softwall::parallel {
-
-enum class Way {
-  kBest,      ///< in place, where the ranks can share memory, otherwise by messages
-  kMessages,  ///< by messages, wherever the ranks are
-};
 
 /// Every rank has a near and a far piece for each rank. There: what it has written into near(r), rank r finds
 /// in its far(of this rank). Back: the other way round. The two are called in turns; near pieces are a rank's
@@ -116,17 +110,10 @@ class PieceExchange {
     const Profile::Scope scope(profile_, Phase::kTransposition);
     if (profile_) profile_->count_messages(std::int64_t(from.pieces.size()) - 1, from.bytes_sent());
     if (shared_) {
-      meet();
+      meet(line_);
     } else {
       send(from, to);
     }
-  }
-
-  /// What each rank has written before, every rank reads after.
-  void meet() const {
-    std::atomic_thread_fence(std::memory_order_seq_cst);
-    check(MPI_Barrier(line_.get()), "MPI_Barrier");
-    std::atomic_thread_fence(std::memory_order_seq_cst);
   }
 
   void send(const Side& from, Side& to) const {

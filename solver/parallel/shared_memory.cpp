@@ -1,6 +1,7 @@
 #include "solver/parallel/shared_memory.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -101,6 +102,12 @@ std::optional<std::vector<Mapping>> share_memory(const Communicator& line, std::
   for (std::size_t r = 0; r < owners.size(); ++r) found = found && begins_with(all[r], owners[r].token);
   if (!all_agree(line, found)) return std::nullopt;
   return all;
+}
+
+void meet(const Communicator& line) {
+  std::atomic_thread_fence(std::memory_order_seq_cst);
+  check(MPI_Barrier(line.get()), "MPI_Barrier");
+  std::atomic_thread_fence(std::memory_order_seq_cst);
 }
 
 }  // namespace softwall::parallel

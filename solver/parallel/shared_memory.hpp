@@ -11,6 +11,11 @@
 /// Memory that the ranks on one machine read and write in place, instead of sending each other copies.
 namespace softwall::parallel {
 
+enum class Way {
+  kBest,      ///< in place, where the ranks can share memory, otherwise by messages
+  kMessages,  ///< by messages, wherever the ranks are
+};
+
 /// A mapping of a file into memory, undone with its owner. It outlives the descriptor it was made from.
 class Mapping {
  public:
@@ -34,5 +39,8 @@ class Mapping {
 /// anything in them. Nothing, on every rank, where one of them cannot reach the memory of another (another
 /// machine, a container of its own) or has none left. It has no name that could outlive a killed run.
 [[nodiscard]] std::optional<std::vector<Mapping>> share_memory(const Communicator& line, std::size_t bytes);
+
+/// Collective: what each rank of `line` has written to shared memory before, every one reads after.
+void meet(const Communicator& line);
 
 }  // namespace softwall::parallel
