@@ -20,7 +20,9 @@ TEST(LineShift, HandsOnWhatEachRankHasAgainAndAgain) {
         for (std::size_t n = 0; n < count; ++n) outgoing[n] = label(rank, round, n);
         const double* const incoming = shift.shift(direction);
         const int from = (rank - direction + ranks) % ranks;
-        for (std::size_t n = 0; n < count; ++n) ASSERT_EQ(incoming[n], label(from, round, n)) << n;
+        std::size_t wrong = 0;  // asserted only when counted: who stops would leave the others waiting
+        for (std::size_t n = 0; n < count; ++n) wrong += incoming[n] == label(from, round, n) ? 0 : 1;
+        EXPECT_EQ(wrong, 0U) << "round " << round;
         ++round;
       }
     }
