@@ -69,6 +69,8 @@ def summary(runs):
             result[f"{name}_over_rigid"] = two[name]["ns"] / rigid["ns"]
     if 1 in runs:
         result["efficiency_2"] = runs[1]["rigid"]["ns"] / (2 * rigid["ns"])
+        # What the memory gives two ranks, over twice what it gives one.
+        result["triad_efficiency_2"] = two["triad_gb_s"] / (2 * runs[1]["triad_gb_s"])
     return result
 
 
