@@ -7,7 +7,7 @@ namespace softwall::solid::reference_map {
 namespace {
 
 /// Runs the kernel in columns first <= i < end, those before 0 apart, so that vectors begin lines of the
-/// cache.
+/// cache. A kernel that is then called twice must ask to be inlined, or GCC does not vectorize it.
 template <class Kernel>
 [[gnu::always_inline]] inline void along_row(int first, int end, const Kernel& kernel) {
   for (int i = first; i < 0; ++i) kernel(i);
