@@ -17,9 +17,8 @@ inline Real weno5(Real q0, Real q1, Real q2, Real q3, Real q4) {
   constexpr Real kTinyZ = sizeof(Real) == sizeof(float) ? 1e-8 : 1e-20;
   constexpr Real kTiny = kWeights == WenoWeights::kJiangShu ? Real(1e-6) : kTinyZ;
   const auto square = [](Real x) { return x * x; };
-  // In first differences e and second ones s the indicators 13/12 (q0 - 2 q1 + q2)^2 + 1/4 (q0 - 4 q1 + 3
-  // q2)^2,
-  // ... are short; c_r = tiny + b_r.
+  // In first differences e and second ones s the indicators
+  // 13/12 (q0 - 2 q1 + q2)^2 + 1/4 (q0 - 4 q1 + 3 q2)^2, ... are short; c_r = tiny + b_r.
   const Real e1 = q2 - q1, e2 = q3 - q2;
   const Real s0 = e1 - (q1 - q0), s1 = e2 - e1, s2 = (q4 - q3) - e2;
   const Real f1 = kTiny + square(e1), f2 = kTiny + square(e2);
