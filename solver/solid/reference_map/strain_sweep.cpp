@@ -6,13 +6,11 @@ namespace softwall::solid::reference_map {
 
 namespace {
 
-/// Runs the kernel in columns first <= i < end, those before 0 apart, so that vectors begin lines of the
-/// cache. A kernel that is then called twice must ask to be inlined, or GCC does not vectorize it.
+/// Runs the kernel in columns first <= i < end of a row.
 template <class Kernel>
 [[gnu::always_inline]] inline void along_row(int first, int end, const Kernel& kernel) {
-  for (int i = first; i < 0; ++i) kernel(i);
 #pragma omp simd
-  for (int i = 0; i < end; ++i) kernel(i);
+  for (int i = first; i < end; ++i) kernel(i);
 }
 
 /// With any solid in them, of n cells side by side.
@@ -106,13 +104,12 @@ void StrainSweep::average(FaceRow& row, const Strain& s, int j, int k) const {
   {
     Real *const xy = first(row.to_center.xy), *const yx = first(row.to_center.yx),
                 *const yz = first(row.to_center.yz), *const zy = first(row.to_center.zy);
-    along_row(
-        -1, nx_, [=](int i) __attribute__((always_inline)) {
-          xy[i] = -in_y * (x(i, j, k) - x(i, j - 1, k) + (x(i + 1, j, k) - x(i + 1, j - 1, k)));
-          yx[i] = -in_x * (y(i + 1, j, k) - y(i - 1, j, k));
-          yz[i] = -in_z * (y(i, j, k + 1) - y(i, j, k - 1));
-          zy[i] = -in_y * (z(i, j, k) - z(i, j - 1, k) + (z(i, j, k + 1) - z(i, j - 1, k + 1)));
-        });
+    along_row(-1, nx_, [=](int i) {
+      xy[i] = -in_y * (x(i, j, k) - x(i, j - 1, k) + (x(i + 1, j, k) - x(i + 1, j - 1, k)));
+      yx[i] = -in_x * (y(i + 1, j, k) - y(i - 1, j, k));
+      yz[i] = -in_z * (y(i, j, k + 1) - y(i, j, k - 1));
+      zy[i] = -in_y * (z(i, j, k) - z(i, j - 1, k) + (z(i, j, k + 1) - z(i, j - 1, k + 1)));
+    });
   }
   Real *const xy = first(row.to_xz.xy), *const yx = first(row.to_xz.yx), *const yz = first(row.to_xz.yz),
               *const zy = first(row.to_xz.zy);
@@ -134,25 +131,23 @@ const Real* StrainSweep::centers(const Strain& s, View<const Real> phi, int j, i
                     *const yx1 = first(b.yx), *const yz0 = first(a.yz), *const yz1 = first(b.yz),
                     *const zy0 = first(a.zy), *const zy1 = first(b.zy);
   const Real inv_dx = s.inv_dx, inv_dy = s.inv_dy[j], inv_dz = s.inv_dz, in_x = inv_dx / 4, in_z = inv_dz / 4;
-  along_row(
-      -1, nx_, [=](int i) __attribute__((always_inline)) {
-        const MapGradient A{
-            1 - inv_dx * (x(i + 1, j, k) - x(i, j, k)),
-            xy0[i] + xy1[i],
-            -in_z * (x(i, j, k + 1) - x(i, j, k - 1) + (x(i + 1, j, k + 1) - x(i + 1, j, k - 1))),
-            yx0[i] + yx1[i],
-            1 - inv_dy * (y(i, j + 1, k) - y(i, j, k)),
-            yz0[i] + yz1[i],
-            -in_x * (z(i + 1, j, k) - z(i - 1, j, k) + (z(i + 1, j, k + 1) - z(i - 1, j, k + 1))),
-            zy0[i] + zy1[i],
-            1 - inv_dz * (z(i, j, k + 1) - z(i, j, k))};
-        const Real J = A.determinant(), factor = volume_factor(J);
-        determinant[i] = J;
-        to.volume_error(i, j, k) = volume_error(phi(i, j, k), J);
-        to.xx(i, j, k) = factor * A.square_x();
-        to.yy(i, j, k) = factor * A.square_y();
-        to.zz(i, j, k) = factor * A.square_z();
-      });
+  along_row(-1, nx_, [=](int i) {
+    const MapGradient A{1 - inv_dx * (x(i + 1, j, k) - x(i, j, k)),
+                        xy0[i] + xy1[i],
+                        -in_z * (x(i, j, k + 1) - x(i, j, k - 1) + (x(i + 1, j, k + 1) - x(i + 1, j, k - 1))),
+                        yx0[i] + yx1[i],
+                        1 - inv_dy * (y(i, j + 1, k) - y(i, j, k)),
+                        yz0[i] + yz1[i],
+                        -in_x * (z(i + 1, j, k) - z(i - 1, j, k) + (z(i + 1, j, k + 1) - z(i - 1, j, k + 1))),
+                        zy0[i] + zy1[i],
+                        1 - inv_dz * (z(i, j, k + 1) - z(i, j, k))};
+    const Real J = A.determinant(), factor = volume_factor(J);
+    determinant[i] = J;
+    to.volume_error(i, j, k) = volume_error(phi(i, j, k), J);
+    to.xx(i, j, k) = factor * A.square_x();
+    to.yy(i, j, k) = factor * A.square_y();
+    to.zz(i, j, k) = factor * A.square_z();
+  });
   return determinant;
 }
 
