@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
 #include "solver/parallel/decomposition.hpp"
@@ -42,12 +43,10 @@ class Transposition {
 
   /// `rows`: value (k, j, mode) of the block at [((k - k0) * (j1 - j0) + j - j0) * stride + mode].
   void pack(const RowBlock& b, const T* rows, std::ptrdiff_t stride) {
-    turn<Use::kWrite>(b, rows, stride,
-                      [](T* turned, const T* straight) { std::memcpy(turned, straight, sizeof(T)); });
+    turn(b, rows, stride, [](T* turned, const T* straight) { std::memcpy(turned, straight, sizeof(T)); });
   }
   void unpack(const RowBlock& b, T* rows, std::ptrdiff_t stride) {
-    turn<Use::kRead>(b, rows, stride,
-                     [](const T* turned, T* straight) { std::memcpy(straight, turned, sizeof(T)); });
+    turn(b, rows, stride, [](const T* turned, T* straight) { std::memcpy(straight, turned, sizeof(T)); });
   }
 
   void to_modes() { pieces_.there(); }
@@ -62,8 +61,6 @@ class Transposition {
   }
 
  private:
-  /// How a line of the cache is about to be used: the second argument of the compiler's prefetch.
-  enum class Use { kRead = 0, kWrite = 1 };
   static constexpr int kRowsAhead = 2;
 
   [[nodiscard]] Range own_z() const { return z_[rank_]; }
@@ -87,12 +84,13 @@ class Transposition {
   /// Pieces have the layout (mode, y, z) on both sides. Tiles of kPlanes modes and planes read and write
   /// whole lines of the cache. These lie so far apart that only we know which comes next: they are fetched
   /// kRowsAhead rows before their turn.
-  template <Use kUse, class Value, class Copy>
+  template <class Value, class Copy>
   void turn(const RowBlock& b, Value* rows, std::ptrdiff_t stride, const Copy& copy) {
     const std::ptrdiff_t plane = b.rows() * stride, length = mode_length(own_z().size());
+    constexpr int kWritesPieces = std::is_const_v<Value> ? 1 : 0;
     const auto tile = [&](T* turned, std::ptrdiff_t ahead, Value* straight, int modes, int planes) {
       for (int m = 0; m < modes; ++m) {
-        __builtin_prefetch(turned + m * length + ahead, int(kUse));
+        __builtin_prefetch(turned + m * length + ahead, kWritesPieces);
         for (int q = 0; q < planes; ++q) copy(turned + m * length + q, straight + q * plane + m);
       }
     };
