@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "solver/parallel/line_memory.hpp"
@@ -42,10 +41,7 @@ class LineShift {
  private:
   void make_room(std::size_t room) {
     room_ = room;
-    shared_.reset();
-    if (may_share_) {
-      if (auto memory = share_memory(line_, 2 * room * sizeof(T))) shared_.emplace(std::move(*memory));
-    }
+    if (may_share_) shared_ = share_memory(line_, 2 * room * sizeof(T));
     if (shared_) return;
     sent_.resize(room);
     received_.resize(room);
