@@ -63,9 +63,9 @@ struct MapGradient {
 
 /// J^(-4/3), J = det A. With e = 1 - J r^3, J^(-4/3) = r^4 (1 - e)^(-4/3) for any r: r is a Pade approximant
 /// of J^(-1/3), the power of 1 - e a series as far as e^6, so that round-off is all that is wrong for
-/// 0.3 < J < 4. Exactly 1 for 1. Beyond, r is too small, never too large: e stays between 0 and 1, and what is
-/// found is positive and falls. Without branches, with one division and short chains of dependent operations,
-/// for the compiler to vectorize and the processor to overlap.
+/// 0.3 < J < 4. Exactly 1 for 1. Beyond, r is too small, never too large: e stays between 0 and 1, and what
+/// is found is positive and falls. Without branches, with one division and short chains of dependent
+/// operations, for the compiler to vectorize and the processor to overlap.
 [[gnu::always_inline]] inline Real volume_factor(Real determinant) {
   constexpr auto ratio = [](int numerator, int denominator) { return Real(numerator) / Real(denominator); };
   const Real J = determinant < kLeastVolume ? kLeastVolume : determinant;
