@@ -20,15 +20,15 @@ struct Step {
   }
 };
 
-/// Smallest y - d_y of n columns side by side.
-double least_rest(const Real* d, int n, double y) {
+/// Whether y - d_y of n columns side by side, at height y, is larger than `at_rest` everywhere.
+bool is_above(double at_rest, const Real* d, int n, double y) {
   double least = y - d[0];
 #pragma omp simd reduction(min : least)
   for (int i = 0; i < n; ++i) {
     const double rest = y - d[i];
     least = rest < least ? rest : least;
   }
-  return least;
+  return least > at_rest;
 }
 
 /// Height of the surface over strip (a, c) of column i, from the heights of the four columns around it.
@@ -56,16 +56,25 @@ Heights::Heights(const Grid& grid, int ghost)
       stride_(grid.nx + 2 * ghost),
       values_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(grid.nz + 2 * ghost)) {}
 
-/// Rows above the highest point of a line's surface, most of the layer, are only looked at.
+/// Rows above the highest point of the surface, most of the layer, are only looked at, height by height, as
+/// they lie in memory.
 void Heights::find(const grid::Field& displacement, double at_rest) {
   const auto d = displacement.view();
   const auto& y = grid_.y_face;
-  const int i0 = -ghost_, i1 = grid_.nx + ghost_;
-  for (int k = -ghost_; k < grid_.nz + ghost_; ++k) {
+  const int i0 = -ghost_, i1 = grid_.nx + ghost_, k0 = -ghost_, k1 = grid_.nz + ghost_;
+  const auto is_solid = [&](int j, int k) { return is_above(at_rest, &d(i0, j, k), i1 - i0, y[j]); };
+  const auto all_is_solid = [&](int j) {
+    int k = k0;
+    while (k < k1 && is_solid(j, k)) ++k;
+    return k == k1;
+  };
+  int highest = grid_.ny - 1;
+  while (highest >= 0 && all_is_solid(highest)) --highest;
+  for (int k = k0; k < k1; ++k) {
     double* const eta = values_.data() + offset(k);
     std::fill(eta + i0, eta + i1, kPending);
-    int j = grid_.ny - 1, pending = i1 - i0;
-    while (j >= 0 && least_rest(&d(i0, j, k), i1 - i0, y[j]) > at_rest) --j;
+    int j = highest, pending = i1 - i0;
+    while (j >= 0 && is_solid(j, k)) --j;
     for (; j >= 0 && pending > 0; --j) {
       const Step step{y[j + 1], y[j], at_rest};
       pending = 0;
