@@ -1,5 +1,6 @@
 #include "solver/solid/elastic_force.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "solver/solid/fraction.hpp"
@@ -8,22 +9,34 @@ namespace softwall::solid {
 
 namespace {
 
-/// Stress components where they live.
-struct Stress {
+/// Stress components where they live, where all is solid.
+struct StressOfSolid {
   static constexpr bool kAcrossRowsOnly = false;
-  Fraction phi;
   View<const Real> Bxx, Byy, Bzz, Bxy, Bxz, Byz;
   Real G;
+  Real xx(int i, int j, int k) const { return G * (Bxx(i, j, k) - 1); }
+  Real yy(int i, int j, int k) const { return G * (Byy(i, j, k) - 1); }
+  Real zz(int i, int j, int k) const { return G * (Bzz(i, j, k) - 1); }
+  Real xy(int i, int j, int k) const { return G * Bxy(i, j, k); }
+  Real xz(int i, int j, int k) const { return G * Bxz(i, j, k); }
+  Real yz(int i, int j, int k) const { return G * Byz(i, j, k); }
+};
+
+/// The same anywhere.
+struct Stress {
+  static constexpr bool kAcrossRowsOnly = false;
+  StressOfSolid solid;
+  Fraction phi;
   InterfaceShareView share;
-  Real xx(int i, int j, int k) const { return G * phi.center(i, j, k) * (Bxx(i, j, k) - 1); }
-  Real yy(int i, int j, int k) const { return G * phi.center(i, j, k) * (Byy(i, j, k) - 1); }
-  Real zz(int i, int j, int k) const { return G * phi.center(i, j, k) * (Bzz(i, j, k) - 1); }
+  Real xx(int i, int j, int k) const { return phi.center(i, j, k) * solid.xx(i, j, k); }
+  Real yy(int i, int j, int k) const { return phi.center(i, j, k) * solid.yy(i, j, k); }
+  Real zz(int i, int j, int k) const { return phi.center(i, j, k) * solid.zz(i, j, k); }
   Real xy(int i, int j, int k) const {
-    return G * share_of_solid(phi.edge_xy(i, j, k), share.xy(i, k)) * Bxy(i, j, k);
+    return share_of_solid(phi.edge_xy(i, j, k), share.xy(i, k)) * solid.xy(i, j, k);
   }
-  Real xz(int i, int j, int k) const { return G * phi.edge_xz(i, j, k) * Bxz(i, j, k); }
+  Real xz(int i, int j, int k) const { return phi.edge_xz(i, j, k) * solid.xz(i, j, k); }
   Real yz(int i, int j, int k) const {
-    return G * share_of_solid(phi.edge_yz(i, j, k), share.yz(i, k)) * Byz(i, j, k);
+    return share_of_solid(phi.edge_yz(i, j, k), share.yz(i, k)) * solid.yz(i, j, k);
   }
 };
 
@@ -35,16 +48,12 @@ ElasticForce::ElasticForce(double G, const InterfaceShare& share, const Grid& gr
 void ElasticForce::keep() { std::swap(now_, before_); }
 
 void ElasticForce::find(const Material& m, int first_row, int k) {
-  const Stress stress{{m.phi.view(), grid_.upper_share.data()},
-                      m.B.xx.view(),
-                      m.B.yy.view(),
-                      m.B.zz.view(),
-                      m.B.xy.view(),
-                      m.B.xz.view(),
-                      m.B.yz.view(),
-                      G_,
-                      share_.view()};
-  divergence_.find(stress, first_row, grid_.ny, k, now_);
+  const StressOfSolid solid{
+      m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(), m.B.yz.view(), G_};
+  const int above = std::max(first_row, m.solid_edges_from(grid_.ny));
+  divergence_.find(Stress{solid, {m.phi.view(), grid_.upper_share.data()}, share_.view()}, first_row, above,
+                   k, now_);
+  divergence_.find(solid, above, grid_.ny, k, now_);
 }
 
 }  // namespace softwall::solid

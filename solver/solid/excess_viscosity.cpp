@@ -95,18 +95,6 @@ ExcessStress stress_of(const Material& m, const grid::VectorField& velocity, con
           share.view()};
 }
 
-/// One row above the lowest row from which on all is solid, ghost columns too; ny when there is none.
-int end_of_interface(const grid::Field& fraction, const Grid& g, int first_row) {
-  const auto phi = fraction.view();
-  const auto is_solid = [&](int row) {
-    const grid::Box box{-1, g.nx + 1, row, row + 1, -1, g.nz + 1};
-    return grid::max_cells(box, 0.0, [=](int i, int j, int k) { return 1 - phi(i, j, k); }) <= 0;
-  };
-  int row = first_row;
-  while (row < g.ny && !is_solid(row)) ++row;
-  return std::min(row + 1, g.ny);
-}
-
 }  // namespace
 
 ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const InterfaceShare& share, const Grid& grid)
@@ -124,7 +112,7 @@ void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity
   const Fraction phi = fraction_of(m, g);
   const auto on_yz = [=](int i, int j, int k) { return phi.edge_yz(i, j, k); };
   // In a solid as viscous as the fluid nothing is lacking above the interface.
-  end_row_ = ratio_ == 1 ? end_of_interface(m.phi, g, first_row) : g.ny;
+  end_row_ = ratio_ == 1 ? m.solid_edges_from(g.ny) : g.ny;
   find_shear_xy(phi, velocity, solid_from_, g, first_row, end_row_, shear_xy_);
   find_shear(velocity.z, on_yz, solid_from_, g, first_row, end_row_, shear_yz_);
   const ExcessStress stress = stress_of(m, velocity, shear_xy_, shear_yz_, ratio_, share_, g);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "solver/case/case.hpp"
 #include "solver/grid/field.hpp"
 
@@ -23,6 +25,10 @@ struct Material {
   /// Where the material at a point came from: it was at x - d. Components where those of the velocity are, h.
   grid::VectorField displacement;
   double surface_at_rest = 0;  ///< height that the solid's surface had before it was deformed, h
+  /// phi is known to be 1 from this row on, in the ghost columns and planes next to this rank's, too.
+  int all_solid_from = std::numeric_limits<int>::max();
+  /// So that the edges of the row and of those above lie in the solid altogether; ny where none is known.
+  [[nodiscard]] int solid_edges_from(int ny) const { return all_solid_from < ny ? all_solid_from + 1 : ny; }
 
   Material() = default;
   explicit Material(const Grid& g) : phi(g, kGhost), B(g, kGhost), displacement(g, kGhost) {}

@@ -110,7 +110,7 @@ std::int64_t ReferenceMap::derive(Material& m, int first_row, const PlaneReady& 
   wide_heights_.find(m.displacement.y, m.surface_at_rest);
   const double row_height = row_height_at(m.surface_at_rest);
   share_.follow([&](int i, int k) { return wide_heights_.flatness(i, k, row_height); });
-  fractions_.fill(wide_heights_, first_row, m.phi);
+  m.all_solid_from = fractions_.fill(wide_heights_, first_row, m.phi);
   continue_fraction(m, first_row);
   return find_strain(m, first_row, ready);
 }

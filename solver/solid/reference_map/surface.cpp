@@ -135,11 +135,13 @@ void CellFractions::fill_crossed_row(double bottom, double top, Real* phi) const
   }
 }
 
-void CellFractions::fill(const Heights& heights, int j0, grid::Field& fraction) {
+int CellFractions::fill(const Heights& heights, int j0, grid::Field& fraction) {
   const Grid& g = grid_;
   const auto phi = fraction.view();
+  int all_solid_from = j0;
   for (int k = -1; k <= g.nz; ++k) {
     const Range surface = find_strips(heights, k);
+    while (all_solid_from < g.ny && surface.highest > g.y_face[all_solid_from]) ++all_solid_from;
     for (int j = j0; j < g.ny; ++j) {
       const double bottom = g.y_face[j], top = g.y_face[j + 1];
       Real* const row = &phi(0, j, k);
@@ -150,6 +152,7 @@ void CellFractions::fill(const Heights& heights, int j0, grid::Field& fraction) 
       }
     }
   }
+  return all_solid_from;
 }
 
 }  // namespace softwall::solid::reference_map

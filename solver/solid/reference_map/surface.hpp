@@ -51,8 +51,9 @@ class CellFractions {
  public:
   explicit CellFractions(const Grid& grid);
 
-  /// Rows j0 <= j < ny, in this rank's columns and one more on every side (heights: two more).
-  void fill(const Heights& heights, int j0, grid::Field& phi);
+  /// Rows j0 <= j < ny, in this rank's columns and one more on every side (heights: two more). Returns the
+  /// row from which on all is solid.
+  int fill(const Heights& heights, int j0, grid::Field& phi);
 
  private:
   static constexpr int kStrips = 4;
