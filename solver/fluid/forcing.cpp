@@ -1,5 +1,6 @@
 #include "solver/fluid/forcing.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "solver/grid/cell_loop.hpp"
@@ -21,13 +22,14 @@ Flow below_solid(double flow, const SolidInput& solid, const Grid& g) {
   return {flow, double(g.nx) * g.nz * (g.y_face[solid_row(solid, g)] - g.y_face[0])};
 }
 
-/// Adds the rows that hold solid; u(i, j, k) is the velocity there.
+/// Adds the rows that hold solid and fluid; u(i, j, k) is the velocity there.
 template <class Velocity>
 void add_beside_solid(Flow& total, const SolidInput& solid, const Grid& g, const Velocity& u) {
   if (!solid.fraction) return;
   const auto phi = solid.fraction->view();
+  const int end = std::min(solid.fluid_end_row, g.ny);
   for (int k = 0; k < g.nz; ++k) {
-    for (int j = solid.first_row; j < g.ny; ++j) {
+    for (int j = solid.first_row; j < end; ++j) {
       double flow = 0, volume = 0;
 #pragma omp simd reduction(+ : flow, volume)
       for (int i = 0; i < g.nx; ++i) {

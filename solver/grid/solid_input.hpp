@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "solver/grid/field.hpp"
 
 namespace softwall {
@@ -11,6 +13,7 @@ struct SolidInput {
   const grid::VectorField* force_before = nullptr;  ///< f^{k-1}
   int first_row = 0;  ///< below it there is no solid; phi and forces are not to be read there
   double viscosity_ratio = 1;
+  int fluid_end_row = std::numeric_limits<int>::max();  ///< no fluid from this row on, as far as is known
   /// What the fluid's viscous force lacks at moment k-1, over mu_f; absent when nothing does.
   const grid::VectorField* excess_viscous = nullptr;
   int excess_end_row = 0;  ///< it vanishes from this row on
