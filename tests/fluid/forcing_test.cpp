@@ -51,6 +51,20 @@ TEST_P(Forcing, CountsOnlyTheFluidOfAnElasticChannel) {
   EXPECT_NEAR(bulk_velocity(d, velocity, phi), 1, 1e-14);
 }
 
+TEST_P(Forcing, NeedNotLookWhereNoFluidIs) {
+  const int first_row = 5, end_row = 7;
+  support::set_by_index(phi, d.grid, d.grid.ny, [=](int i, int j, int k) {
+    if (j < first_row) return 0.0;
+    return j < end_row ? (1 + support::noise(8, i, j, k)) / 2 : 1.0;
+  });
+  d.halo.fill({&phi});
+  const grid::VectorField force(d.grid, 0);
+  const SolidInput solid{&phi, &force, &force, first_row, 1, end_row};
+  auto velocity = support::random_velocity(d, 3);
+  static_cast<void>(hold_flow_rate(velocity, solid, 1.0, d.grid, d.decomposition));
+  EXPECT_NEAR(bulk_velocity(d, velocity, phi), 1, 1e-14);
+}
+
 TEST_P(Forcing, AddsTheSameToEveryCellAndNothingElse) {
   auto velocity = support::random_velocity(d, 3);
   grid::VectorField before(d.grid, 1);

@@ -85,7 +85,13 @@ TEST(Fraction, AddsUpToTheDepthOfTheSolid) {
     Heights heights(d.grid, 2);
     heights.find(displacement.y, kAtRest);
     grid::Field phi(d.grid, 1);
-    CellFractions(d.grid).fill(heights, 0, phi);
+    const int all_solid_from = CellFractions(d.grid).fill(heights, 0, phi);
+    const auto least = [&](int j) {
+      return -grid::max_cells({-1, d.grid.nx + 1, j, j + 1, -1, d.grid.nz + 1}, -1.0,
+                              [&](int i, int row, int k) { return -phi(i, row, k); });
+    };
+    EXPECT_LT(least(all_solid_from - 1), 1);
+    for (int j = all_solid_from; j < d.grid.ny; ++j) EXPECT_EQ(least(j), 1);
     double volume = 0, columns = 0;
     for (int k = 0; k < d.grid.nz; ++k) {
       for (int i = 0; i < d.grid.nx; ++i) {
