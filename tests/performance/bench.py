@@ -1,16 +1,16 @@
-"""Runs step_benchmark on 1, 2 and 4 ranks and sums up; prints one JSON object last.
+"""Measures a step on 1, 2 and 4 ranks and sums up; prints one JSON object last.
 
 bench.py --build BUILD_FOLDER [--against OTHER_BUILD_FOLDER] [--record FILE]
 
-With --against, two builds are measured in turns on 2 ranks and their ratio is reported: on a machine that does other
-work too, only what was measured side by side can be compared.
+A machine that does other work too is now faster and now slower: only what was measured side by side can be compared. So
+one rank, two, and two in single precision take turns; times are medians over the turns, ratios those of the ratios
+within a turn. With --against, two builds are measured in turns on 2 ranks and their ratio is reported.
 """
 
 import argparse
 import json
 import os
 import pathlib
-import shutil
 import statistics
 import subprocess
 import sys
@@ -19,13 +19,50 @@ import tempfile
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
-def measure(build, ranks, folder=None, program="step_benchmark"):
+TURNS = 5
+
+
+def measure(build, ranks, program="step_benchmark", options=()):
     """The JSON of one run of the benchmark."""
-    command = ["mpirun", "-n", str(ranks), "--oversubscribe", str(build / "bin" / program)]
-    if folder:
-        command += ["--folder", str(folder)]
+    command = ["mpirun", "-n", str(ranks), "--oversubscribe", str(build / "bin" / program), *options]
     done = subprocess.run(command, env=ENVIRONMENT, stdout=subprocess.PIPE, text=True, check=True)
     return json.loads(done.stdout.strip().splitlines()[-1])
+
+
+def measure_in_turns(build):
+    """One {1: run, 2: run, "single": run} a turn, "single" where it was built."""
+    once = ("--repetitions", "1")
+    turns = []
+    for _ in range(TURNS):
+        turn = {ranks: measure(build, ranks, options=once) for ranks in (1, 2)}
+        if (build / "bin" / "step_benchmark_single").exists():
+            turn["single"] = measure(build, 2, "step_benchmark_single", once)
+        turns.append(turn)
+    return turns
+
+
+def measure_checkpoint(build):
+    """Seconds of a checkpoint of the case with a layer, on 2 ranks, and of dd, in turns."""
+    with tempfile.TemporaryDirectory(dir=build) as folder:
+        options = ("--sample", "elastic", "--repetitions", "1", "--folder", folder)
+        return measure(build, 2, options=options)["elastic"]["checkpoint"]
+
+
+def median_of(values):
+    """The median of numbers; of dictionaries of them, key by key; of anything else, which is the same, the first."""
+    first = values[0]
+    if isinstance(first, dict):
+        return {key: median_of([value[key] for value in values]) for key in first}
+    return statistics.median(values) if isinstance(first, (int, float)) else first
+
+
+def median_run(runs):
+    """What one run would have been."""
+    result = median_of(runs)
+    for name in samples(result):
+        speeds = [run[name]["ns"] for run in runs]
+        result[name].update(ns_min=min(speeds), ns_max=max(speeds))
+    return result
 
 
 def samples(run):
@@ -47,37 +84,51 @@ def show(run):
                       f"{record['messages']:6.0f} messages, {record['bytes'] / 1e6:8.2f} MB a step")
 
 
-def summary(runs):
-    """The figures that bars are set on, from the runs by number of ranks (2 at least)."""
-    two = runs[2]
-    rigid, elastic = two["rigid"], two["elastic"]
+def median_ratio(turns, above, below):
+    """Both are functions of a turn."""
+    return statistics.median(above(turn) / below(turn) for turn in turns)
+
+
+def summary(turns):
+    """The figures that bars are set on."""
+    two = median_run([turn[2] for turn in turns])
+
+    def rigid(turn):
+        return turn[2]["rigid"]["ns"]
+
+    def over_rigid(name):
+        return median_ratio(turns, lambda turn: turn[2][name]["ns"], rigid)
+
     result = {
-        "rigid_double_ns": rigid["ns"],
-        "rigid_single_ns": runs["single"]["rigid"]["ns"] if "single" in runs else None,
-        "elastic_double_ns": elastic["ns"],
-        "elastic_over_rigid": elastic["ns"] / rigid["ns"],
+        "rigid_double_ns": two["rigid"]["ns"],
+        "rigid_single_ns": None,
+        "elastic_double_ns": two["elastic"]["ns"],
+        "elastic_over_rigid": over_rigid("elastic"),
         "triad_gb_s": two["triad_gb_s"],
         "traffic_bound_ns": two["traffic_bound_ns"],
-        "rigid_over_bound": rigid["ns"] / two["traffic_bound_ns"],
-        "allocations_per_step": max(two[name]["allocations_per_step"] for name in samples(two)),
-        "bytes_per_cell_rigid": rigid["bytes_per_cell"],
-        "bytes_per_cell_elastic": elastic["bytes_per_cell"],
-        "statistics_share": rigid["phases"]["statistics"]["ns"] / rigid["ns"],
+        "rigid_over_bound": median_ratio(turns, rigid, lambda turn: turn[2]["traffic_bound_ns"]),
+        "efficiency_2": median_ratio(turns, lambda turn: turn[1]["rigid"]["ns"], lambda turn: 2 * rigid(turn)),
+        # What the memory gives two ranks, over twice what it gives one.
+        "triad_efficiency_2": median_ratio(turns, lambda turn: turn[2]["triad_gb_s"],
+                                           lambda turn: 2 * turn[1]["triad_gb_s"]),
+        "allocations_per_step": max(turn[2][name]["allocations_per_step"] for turn in turns for name in samples(two)),
+        "bytes_per_cell_rigid": two["rigid"]["bytes_per_cell"],
+        "bytes_per_cell_elastic": two["elastic"]["bytes_per_cell"],
+        "statistics_share": two["rigid"]["phases"]["statistics"]["ns"] / two["rigid"]["ns"],
     }
+    if "single" in turns[0]:
+        result["rigid_single_ns"] = statistics.median(turn["single"]["rigid"]["ns"] for turn in turns)
+        result["single_over_double"] = median_ratio(turns, lambda turn: turn["single"]["rigid"]["ns"], rigid)
     for name in samples(two):
         if name not in ("rigid", "elastic"):
-            result[f"{name}_over_rigid"] = two[name]["ns"] / rigid["ns"]
-    if 1 in runs:
-        result["efficiency_2"] = runs[1]["rigid"]["ns"] / (2 * rigid["ns"])
-        # What the memory gives two ranks, over twice what it gives one.
-        result["triad_efficiency_2"] = two["triad_gb_s"] / (2 * runs[1]["triad_gb_s"])
+            result[f"{name}_over_rigid"] = over_rigid(name)
     return result
 
 
 def compare(build, other):
     """Both builds in turns; the ratio of their medians, below 1 where `build` is faster."""
     speeds = {build: [], other: []}
-    for _ in range(5):
+    for _ in range(TURNS):
         for each in (build, other):
             speeds[each].append(measure(each, 2))
     ratio = {}
@@ -100,21 +151,16 @@ def main():
     if options.against:
         print(json.dumps(compare(options.build, options.against)))
         return
-    folder = pathlib.Path(tempfile.mkdtemp(dir=options.build))
-    try:
-        (folder / "checkpoints").mkdir()
-        runs = {ranks: measure(options.build, ranks, folder if ranks == 2 else None) for ranks in (1, 2, 4)}
-        if (options.build / "bin" / "step_benchmark_single").exists():
-            runs["single"] = measure(options.build, 2, program="step_benchmark_single")
-        for run in runs.values():
-            show(run)
-        result = summary(runs)
-        written = runs[2]["elastic"]["checkpoint"]
-        result["checkpoint_over_dd"] = written["dd_seconds"] / written["seconds"]
-    finally:
-        shutil.rmtree(folder)
+    turns = measure_in_turns(options.build)
+    runs = {ranks: median_run([turn[ranks] for turn in turns]) for ranks in turns[0]}
+    runs[4] = measure(options.build, 4)
+    for run in runs.values():
+        show(run)
+    result = summary(turns)
+    written = measure_checkpoint(options.build)
+    result["checkpoint_over_dd"] = written["dd_seconds"] / written["seconds"]
     if options.record:
-        options.record.write_text(json.dumps({"summary": result, "runs": runs}, indent=1) + "\n")
+        options.record.write_text(json.dumps({"summary": result, "runs": runs, "turns": turns}, indent=1) + "\n")
     sys.stdout.flush()
     print(json.dumps(result))
 
