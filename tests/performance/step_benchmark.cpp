@@ -178,26 +178,32 @@ void meet_asleep(const parallel::Communicator& world) {
   }
 }
 
-/// Seconds to write a checkpoint, and for dd to write as much, in turns, on the same disk; and the size.
+/// Seconds to write a checkpoint, and for dd to write as much, in turns, on the same disk; the ratio within a
+/// turn; and the size.
 json measure_checkpoint(time::State& state, time::Setup& setup, const std::filesystem::path& folder) {
   const auto& world = setup.decomposition.all();
   const std::int64_t bytes = output::checkpoint_bytes(state, setup.grid);
-  std::vector<double> seconds, dd_seconds;
-  // The first pair does not count: it takes memory that the machine may have to find first.
-  for (int repetition = 0; repetition < 6; ++repetition) {
-    if (world.rank() == 0) dd_seconds.push_back(seconds_of_dd(folder, bytes));
+  // The first turns do not count: they take memory that the machine has to find first (the first of all took
+  // three times as long as the fourth).
+  constexpr int kFirst = 3, kTurns = 5;
+  std::vector<double> seconds, dd_seconds, ratios;
+  for (int turn = -kFirst; turn < kTurns; ++turn) {
+    const double by_dd = world.rank() == 0 ? seconds_of_dd(folder, bytes) : 0;
     ++state.step;  // each under its own name
     meet_asleep(world);
     const double begin = MPI_Wtime();
     const auto file = output::write_checkpoint({folder}, {"benchmark", 0}, state, {}, setup);
-    seconds.push_back(parallel::maximum(world, MPI_Wtime() - begin));
+    const double by_solver = parallel::maximum(world, MPI_Wtime() - begin);
     if (world.rank() == 0) std::filesystem::remove(file);
+    if (turn < 0) continue;
+    seconds.push_back(by_solver);
+    dd_seconds.push_back(by_dd);
+    ratios.push_back(by_dd / by_solver);
   }
-  seconds.erase(seconds.begin());
-  if (world.rank() == 0) dd_seconds.erase(dd_seconds.begin());
-  json result{{"seconds", median(seconds)}, {"bytes", bytes}};
-  if (world.rank() == 0) result["dd_seconds"] = median(dd_seconds);
-  return result;
+  return {{"seconds", median(seconds)},
+          {"dd_seconds", median(dd_seconds)},
+          {"over_dd", median(ratios)},
+          {"bytes", bytes}};
 }
 
 json measure(const Sample& sample, const Options& options, const parallel::Communicator& world) {
