@@ -1,11 +1,14 @@
 #include "solver/grid/halo.hpp"
 
+#include <algorithm>
+#include <type_traits>
+
 namespace softwall::grid {
 
 namespace {
 
-/// Copies a box of cells into a buffer, or back; returns the number of cells.
-template <bool kToBuffer, class Value>
+/// Copies a box of cells into a buffer, or out of one that is constant; returns the number of cells.
+template <class Value>
 std::size_t copy_box(Field& field, const Box& box, Value* buffer) {
   const auto cell = field.view();
   std::size_t n = 0;
@@ -13,10 +16,10 @@ std::size_t copy_box(Field& field, const Box& box, Value* buffer) {
     for (int j = box.j0; j < box.j1; ++j) {
       Real* row = &cell(box.i0, j, k);
       const int width = box.i1 - box.i0;
-      if constexpr (kToBuffer) {
-        std::copy(row, row + width, buffer + n);
-      } else {
+      if constexpr (std::is_const_v<Value>) {
         std::copy(buffer + n, buffer + n + width, row);
+      } else {
+        std::copy(row, row + width, buffer + n);
       }
       n += static_cast<std::size_t>(width);
     }
@@ -137,11 +140,11 @@ void Halo::exchange(Side side, std::initializer_list<Field*> fields, RowSpan row
   auto& line_shift = in_x(side) ? shift_in_x_ : shift_in_z_;
   Real* const outgoing = line_shift.outgoing(total);
   std::size_t n = 0;
-  for (Field* f : fields) n += copy_box<true>(*f, shift_to(side, *f, rows).from, outgoing + n);
+  for (Field* f : fields) n += copy_box(*f, shift_to(side, *f, rows).from, outgoing + n);
   const Real* const incoming = line_shift.shift(shift_to(side, **fields.begin(), rows).direction);
   if (profile_) profile_->count_messages(1, total * sizeof(Real));
   n = 0;
-  for (Field* f : fields) n += copy_box<false>(*f, shift_to(side, *f, rows).to, incoming + n);
+  for (Field* f : fields) n += copy_box(*f, shift_to(side, *f, rows).to, incoming + n);
 }
 
 void Halo::fill_in_x(std::initializer_list<Field*> fields, RowSpan rows) {
