@@ -64,8 +64,8 @@ void Solid::transport(Material& material, const grid::VectorField& velocity, con
 }
 
 SolidInput Solid::input(const Material& material) const {
-  SolidInput input{&material.phi, &force_.now(),         &force_.before(),
-                   first_row_,    spec_.viscosity_ratio, material.all_solid_from};
+  SolidInput input{&material.phi, &force_.now(), &force_.before(), first_row_, spec_.viscosity_ratio};
+  input.fluid_end_row = material.all_solid_from;
   if (excess_viscosity_) {
     input.excess_viscous = &excess_viscosity_->force();
     input.excess_end_row = excess_viscosity_->end_row();
