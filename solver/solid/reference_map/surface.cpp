@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+
+#include "solver/grid/cell_loop.hpp"
 
 namespace softwall::solid::reference_map {
 
@@ -19,17 +22,6 @@ struct Step {
     return y_here + below / fall * (y_above - y_here);
   }
 };
-
-/// Whether y - d_y of n columns side by side, at height y, is larger than `at_rest` everywhere.
-bool is_above(double at_rest, const Real* d, int n, double y) {
-  double least = y - d[0];
-#pragma omp simd reduction(min : least)
-  for (int i = 0; i < n; ++i) {
-    const double rest = y - d[i];
-    least = rest < least ? rest : least;
-  }
-  return least > at_rest;
-}
 
 /// Height of the surface over strip (a, c) of column i, from the heights of the four columns around it.
 struct Strip {
@@ -62,20 +54,17 @@ void Heights::find(const grid::Field& displacement, double at_rest) {
   const auto d = displacement.view();
   const auto& y = grid_.y_face;
   const int i0 = -ghost_, i1 = grid_.nx + ghost_, k0 = -ghost_, k1 = grid_.nz + ghost_;
-  const auto is_solid = [&](int j, int k) { return is_above(at_rest, &d(i0, j, k), i1 - i0, y[j]); };
-  const auto all_is_solid = [&](int j) {
-    int k = k0;
-    while (k < k1 && is_solid(j, k)) ++k;
-    return k == k1;
+  const auto least_rest = [&](int j) {
+    constexpr double kLowest = -std::numeric_limits<double>::infinity();
+    return y[j] - grid::max_cells({i0, i1, j, j + 1, k0, k1}, kLowest, d);
   };
   int highest = grid_.ny - 1;
-  while (highest >= 0 && all_is_solid(highest)) --highest;
+  while (highest >= 0 && least_rest(highest) > at_rest) --highest;
   for (int k = k0; k < k1; ++k) {
     double* const eta = values_.data() + offset(k);
     std::fill(eta + i0, eta + i1, kPending);
-    int j = highest, pending = i1 - i0;
-    while (j >= 0 && is_solid(j, k)) --j;
-    for (; j >= 0 && pending > 0; --j) {
+    int pending = i1 - i0;
+    for (int j = highest; j >= 0 && pending > 0; --j) {
       const Step step{y[j + 1], y[j], at_rest};
       pending = 0;
 #pragma omp simd reduction(+ : pending)
