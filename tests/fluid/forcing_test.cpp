@@ -26,6 +26,15 @@ class Forcing : public testing::TestWithParam<double> {
  protected:
   Domain d{MPI_COMM_WORLD, {14, 10, 13}, {}, support::faces(10, 2.5, GetParam())};
   grid::Field phi{d.grid, 3};
+
+  /// Fluid below first_row, solid from end_row on, between them noise.
+  void set_fraction(int first_row, int end_row) {
+    support::set_by_index(phi, d.grid, d.grid.ny, [=](int i, int j, int k) {
+      if (j < first_row) return 0.0;
+      return j < end_row ? (1 + support::noise(8, i, j, k)) / 2 : 1.0;
+    });
+    d.halo.fill({&phi});
+  }
 };
 
 TEST_P(Forcing, HoldsTheFlowRateOfARigidChannel) {
@@ -40,10 +49,7 @@ TEST_P(Forcing, HoldsTheFlowRateOfARigidChannel) {
 
 TEST_P(Forcing, CountsOnlyTheFluidOfAnElasticChannel) {
   const int first_row = 5;
-  support::set_by_index(phi, d.grid, d.grid.ny, [=](int i, int j, int k) {
-    return j < first_row ? 0.0 : (1 + support::noise(8, i, j, k)) / 2;
-  });
-  d.halo.fill({&phi});
+  set_fraction(first_row, d.grid.ny);
   const grid::VectorField force(d.grid, 0);
   const SolidInput solid{&phi, &force, &force, first_row, 1};
   auto velocity = support::random_velocity(d, 3);
@@ -53,11 +59,7 @@ TEST_P(Forcing, CountsOnlyTheFluidOfAnElasticChannel) {
 
 TEST_P(Forcing, NeedNotLookWhereNoFluidIs) {
   const int first_row = 5, end_row = 7;
-  support::set_by_index(phi, d.grid, d.grid.ny, [=](int i, int j, int k) {
-    if (j < first_row) return 0.0;
-    return j < end_row ? (1 + support::noise(8, i, j, k)) / 2 : 1.0;
-  });
-  d.halo.fill({&phi});
+  set_fraction(first_row, end_row);
   const grid::VectorField force(d.grid, 0);
   const SolidInput solid{&phi, &force, &force, first_row, 1, end_row};
   auto velocity = support::random_velocity(d, 3);
@@ -84,10 +86,7 @@ TEST_P(Forcing, AddsTheSameToEveryCellAndNothingElse) {
 /// Found before a projection, it is what is missing after it, with solid and without.
 TEST_P(Forcing, IsKnownBeforeTheProjection) {
   const int first_row = 5;
-  support::set_by_index(phi, d.grid, d.grid.ny, [=](int i, int j, int k) {
-    return j < first_row ? 0.0 : (1 + support::noise(8, i, j, k)) / 2;
-  });
-  d.halo.fill({&phi});
+  set_fraction(first_row, d.grid.ny);
   const grid::VectorField force(d.grid, 0);
   const double duration = 0.02;
   for (const SolidInput& solid : {SolidInput{}, SolidInput{&phi, &force, &force, first_row, 1}}) {
