@@ -3,7 +3,7 @@
 bench.py --build BUILD_FOLDER [--against OTHER_BUILD_FOLDER] [--record FILE]
 
 A machine that does other work too is now faster and now slower: only what was measured side by side can be compared. So
-one rank, two, and two in single precision take turns; times are medians over the turns, ratios those of the ratios
+one rank, two, and two in single precision take turns; times are medians over the turns, ratios medians of those
 within a turn. With --against, two builds are measured in turns on 2 ranks and their ratio is reported.
 """
 
@@ -17,8 +17,6 @@ import sys
 import tempfile
 
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-
-
 TURNS = 5
 
 
