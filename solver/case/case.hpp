@@ -32,6 +32,7 @@ enum class InterfaceTransport { kWeno, kMthinc };
 enum class Precision { kDouble, kSingle };
 enum class Extension { kColumn, kNormal };
 enum class ViscousTerms { kExplicit, kImplicit };
+enum class Stiffness { kExplicit, kImplicit };
 
 struct GridSpec {
   int nx = 0;
@@ -57,6 +58,7 @@ struct SolidSpec {
   double threshold = 0.0;       ///< cells with phi below it take B from the solid, as `extension` says
   double min_eigenvalue = 0.0;  ///< B is kept >= this in every cell
   Extension extension = Extension::kColumn;
+  Stiffness stiffness = Stiffness::kExplicit;   ///< how the stress across thin rows enters the time step
   std::optional<DiscSpec> disc = std::nullopt;  ///< initial shape in a closed box; absent: the layer on y > 2
 };
 

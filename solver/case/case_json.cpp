@@ -34,6 +34,9 @@ constexpr std::pair<Extension, const char*> kExtensionNames[] = {{Extension::kCo
 constexpr std::pair<ViscousTerms, const char*> kViscousNames[] = {{ViscousTerms::kExplicit, "explicit"},
                                                                   {ViscousTerms::kImplicit, "implicit"}};
 
+constexpr std::pair<Stiffness, const char*> kStiffnessNames[] = {{Stiffness::kExplicit, "explicit"},
+                                                                 {Stiffness::kImplicit, "implicit"}};
+
 constexpr std::pair<Precision, const char*> kPrecisionNames[] = {{Precision::kDouble, "double"},
                                                                  {Precision::kSingle, "single"}};
 
@@ -67,6 +70,7 @@ SolidSpec solid_from(const json& solid) {
                  .threshold = solid.at("threshold"),
                  .min_eigenvalue = solid.at("min_eigenvalue"),
                  .extension = named(solid.at("extension"), kExtensionNames),
+                 .stiffness = named(solid.at("stiffness"), kStiffnessNames),
                  .disc = std::nullopt};
   if (solid.contains("disc")) spec.disc = disc_from(solid.at("disc"));
   return spec;
@@ -147,7 +151,8 @@ json to_json(const SolidSpec& solid) {
                  {"interface", name_of(solid.interface, kInterfaceNames)},
                  {"threshold", solid.threshold},
                  {"min_eigenvalue", solid.min_eigenvalue},
-                 {"extension", name_of(solid.extension, kExtensionNames)}};
+                 {"extension", name_of(solid.extension, kExtensionNames)},
+                 {"stiffness", name_of(solid.stiffness, kStiffnessNames)}};
   if (solid.disc) result["disc"] = to_json(*solid.disc);
   return result;
 }

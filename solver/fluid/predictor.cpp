@@ -13,14 +13,14 @@ struct Weights {
 };
 
 /// What acts on a row of cells beside the fluid's own stresses.
-enum class Holds { kFluid, kSolid, kSolidWithExcessViscosity };
+enum class Holds { kFluid, kSolid, kSolidWithExcessViscosity, kSolidWithViscosityAcross };
 
 /// A component of the velocity before and after, its rate, and the forces of the solid; `viscous` over the
 /// viscosity of the fluid. Forces that are not there are not read.
 struct Component {
   View<const Real> old;
   View<Real> rate, predicted;
-  View<const Real> elastic, elastic_before, viscous;
+  View<const Real> elastic, elastic_before, viscous, across;
 };
 
 /// What a substep does to a row of cells.
@@ -59,11 +59,14 @@ struct RowUpdate {
 #pragma omp simd
     for (int i = 0; i < n; ++i) {
       Real now = fluid[i];
-      if constexpr (kHolds == Holds::kSolidWithExcessViscosity) now += viscosity * c.viscous(i, j, k);
+      if constexpr (kHolds >= Holds::kSolidWithExcessViscosity) now += viscosity * c.viscous(i, j, k);
       Real change =
           weights.now * now + weights.before * c.rate(i, j, k) - weights.pressure * gradient(i, j, k);
       if constexpr (kHolds != Holds::kFluid) {
         change += weights.force * (c.elastic(i, j, k) + c.elastic_before(i, j, k));
+      }
+      if constexpr (kHolds == Holds::kSolidWithViscosityAcross) {
+        change += 2 * weights.force * viscosity * c.across(i, j, k);
       }
       c.rate(i, j, k) = now;
       c.predicted(i, j, k) = c.old(i, j, k) + change;
@@ -97,7 +100,8 @@ void Predictor::advance(grid::VectorField& velocity, const grid::Field& pressure
             .predicted = (predicted_.*c).view(),
             .elastic = view(solid.force_now),
             .elastic_before = view(solid.force_before),
-            .viscous = view(solid.excess_viscous)};
+            .viscous = view(solid.excess_viscous),
+            .across = view(solid.excess_across)};
   };
   const RowUpdate update{.m = m,
                          .p = pressure.view(),
@@ -111,6 +115,8 @@ void Predictor::advance(grid::VectorField& velocity, const grid::Field& pressure
   sweep_.for_each_row(m, 0, g.ny, [&](int j, int k, const MomentumRow& fluid) {
     if (j < solid_row) {
       update.run<Holds::kFluid>(j, k, fluid);
+    } else if (j < plain_row && solid.excess_across) {
+      update.run<Holds::kSolidWithViscosityAcross>(j, k, fluid);
     } else if (j < plain_row) {
       update.run<Holds::kSolidWithExcessViscosity>(j, k, fluid);
     } else {

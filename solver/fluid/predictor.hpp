@@ -20,6 +20,9 @@ class Predictor {
   void advance(grid::VectorField& velocity, const grid::Field& pressure, const SolidInput& solid,
                const Stage& stage, double dt);
 
+  /// The velocity before advance(), without its ghost cells.
+  [[nodiscard]] const grid::VectorField& velocity_before() const { return predicted_; }
+
  private:
   const Grid& grid_;
   double viscosity_;

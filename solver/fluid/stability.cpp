@@ -43,7 +43,7 @@ namespace {
 /// a quarter of the absolute sum of a row of the matrix, which is 4 for the fluid alone. The worst row is the
 /// lowest of the solid: 3 c through the interface, where c (g - g_s / 2) counts, and 2 mu_s / mu_f above it.
 double across_the_interface(const SolidInput& solid) {
-  const double c = solid.interface_viscosity, r = solid.viscosity_ratio;
+  const double c = solid.interface_viscosity, r = solid.ratio_across;
   return c > 1 ? std::max(r, (3 * c + 2 * r) / 4) : std::max(1.0, r);
 }
 

@@ -13,10 +13,13 @@ struct SolidInput {
   const grid::VectorField* force_before = nullptr;  ///< f^{k-1}
   int first_row = 0;  ///< below it there is no solid; phi and forces are not to be read there
   double viscosity_ratio = 1;
+  double ratio_across = 1;  ///< the same for what is explicit of viscosity between rows
   int fluid_end_row = std::numeric_limits<int>::max();  ///< no fluid from this row on, as far as is known
   /// What the fluid's viscous force lacks at moment k-1, over mu_f; absent when nothing does.
   const grid::VectorField* excess_viscous = nullptr;
   int excess_end_row = 0;  ///< it vanishes from this row on
+  /// The part of it that acts between rows where that is implicit, and is then not in `excess_viscous`.
+  const grid::VectorField* excess_across = nullptr;
   /// How many times the fluid's viscosity counts at an edge on the interface (solid/interface_share.hpp).
   double interface_viscosity = 1;
 };

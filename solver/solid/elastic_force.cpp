@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "solver/grid/cell_loop.hpp"
+#include "solver/grid/stage.hpp"
 #include "solver/solid/fraction.hpp"
 
 namespace softwall::solid {
@@ -54,6 +56,17 @@ void ElasticForce::find(const Material& m, int first_row, int k) {
   divergence_.find(Stress{solid, {m.phi.view(), grid_.upper_share.data()}, share_.view()}, first_row, above,
                    k, now_);
   divergence_.find(solid, above, grid_.ny, k, now_);
+}
+
+void ElasticForce::find_middle(const Material& m, int first_row, int k) {
+  constexpr Real kShare = Real(0.5 / kRungeKutta3.front().beta);
+  find(m, first_row, k);
+  for (auto component : {&grid::VectorField::x, &grid::VectorField::y, &grid::VectorField::z}) {
+    const auto after = (now_.*component).view(), middle = (before_.*component).view();
+    grid::for_each_cell({0, grid_.nx, first_row, grid_.ny, k, k + 1}, [=](int i, int j, int plane) {
+      middle(i, j, plane) += kShare * (after(i, j, plane) - middle(i, j, plane));
+    });
+  }
 }
 
 }  // namespace softwall::solid

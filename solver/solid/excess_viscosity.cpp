@@ -28,6 +28,15 @@ struct ExcessStress {
     return (fluid - 1) * (mixed + along) +
            (ratio * share_of_solid(fraction, a) - fluid * fraction) * (solid + along);
   }
+  /// The parts of xy and yz that follow from differences between rows.
+  Real xy_across(int i, int j, int k) const {
+    return lacking(phi.edge_xy(i, j, k), share.xy(i, k), (u(i, j, k) - u(i, j - 1, k)) * inv_dy_face[j],
+                   shear_xy(i, j, k), 0);
+  }
+  Real yz_across(int i, int j, int k) const {
+    return lacking(phi.edge_yz(i, j, k), share.yz(i, k), (w(i, j, k) - w(i, j - 1, k)) * inv_dy_face[j],
+                   shear_yz(i, j, k), 0);
+  }
   Real xx(int i, int j, int k) const {
     return 2 * excess() * phi.center(i, j, k) * (u(i + 1, j, k) - u(i, j, k)) * inv_dx;
   }
@@ -77,6 +86,26 @@ void find_shear_xy(const Fraction& phi, const grid::VectorField& velocity, Real 
   find_shear(velocity.x, on_xy, solid_from, g, first_row, end_row, shear);
 }
 
+/// Moves what acts between rows from one force to the other.
+void keep_apart(const ExcessStress& stress, int first_row, const Grid& g, grid::VectorField& force,
+                grid::VectorField& across) {
+  const auto move = [&](grid::Field grid::VectorField::*component, int j0, const auto& between_rows) {
+    const auto all = (force.*component).view(), apart = (across.*component).view();
+    grid::for_each_cell(grid::rows(g, j0, g.ny), [=](int i, int j, int k) {
+      const Real part = between_rows(i, j, k);
+      apart(i, j, k) = part;
+      all(i, j, k) -= part;
+    });
+  };
+  const ExcessStress s = stress;
+  move(&grid::VectorField::x, first_row,
+       [=](int i, int j, int k) { return (s.xy_across(i, j + 1, k) - s.xy_across(i, j, k)) * s.inv_dy[j]; });
+  move(&grid::VectorField::y, std::max(first_row, 1),
+       [=](int i, int j, int k) { return (s.yy(i, j, k) - s.yy(i, j - 1, k)) * s.inv_dy_face[j]; });
+  move(&grid::VectorField::z, first_row,
+       [=](int i, int j, int k) { return (s.yz_across(i, j + 1, k) - s.yz_across(i, j, k)) * s.inv_dy[j]; });
+}
+
 Fraction fraction_of(const Material& m, const Grid& g) { return {m.phi.view(), g.upper_share.data()}; }
 
 ExcessStress stress_of(const Material& m, const grid::VectorField& velocity, const grid::Field& shear_xy,
@@ -97,7 +126,8 @@ ExcessStress stress_of(const Material& m, const grid::VectorField& velocity, con
 
 }  // namespace
 
-ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const InterfaceShare& share, const Grid& grid)
+ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const InterfaceShare& share, const Grid& grid,
+                                 bool split)
     : ratio_(Real(ratio)),
       solid_from_(solid_from),
       share_(share),
@@ -105,7 +135,9 @@ ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const InterfaceS
       divergence_(grid),
       shear_xy_(grid, 1),
       shear_yz_(grid, 1),
-      force_(grid, 0) {}
+      force_(grid, 0) {
+  if (split) across_.emplace(grid, 0);
+}
 
 void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity, int first_row) {
   const auto& g = grid_;
@@ -123,6 +155,7 @@ void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity
       divergence_.find(stress, first_row, end_row_, k, force_);
     }
   }
+  if (across_) keep_apart(stress, first_row, g, force_, *across_);
 }
 
 std::vector<double> ExcessViscosity::shear_stress_sums(const Material& m, const grid::VectorField& velocity,

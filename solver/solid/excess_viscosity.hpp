@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "solver/solid/interface_share.hpp"
@@ -30,7 +31,9 @@ class ExcessViscosity {
   /// this, and so it is all the way up the column; 0: every edge, so that its own shear counts (a body that
   /// is not the top of its columns). `share`: of the shear stress of an edge on the interface; must outlive
   /// it.
-  ExcessViscosity(double ratio, Real solid_from, const InterfaceShare& share, const Grid& grid);
+  /// `split`: keep what acts between rows apart.
+  ExcessViscosity(double ratio, Real solid_from, const InterfaceShare& share, const Grid& grid,
+                  bool split = false);
 
   /// Finds the force, in rows from first_row on. Ghost cells of phi and of the velocity must be filled.
   void renew(const Material& material, const grid::VectorField& velocity, int first_row);
@@ -38,6 +41,9 @@ class ExcessViscosity {
   /// nothing is lacking, whatever the field holds there.
   [[nodiscard]] const grid::VectorField& force() const { return force_; }
   [[nodiscard]] int end_row() const { return end_row_; }
+  /// Where it is kept apart, and is then not in force(): what the differences between rows of each component
+  /// do to the component itself, d/dy of tau_xy without dv/dx, of tau_yy, and of tau_yz without dv/dz.
+  [[nodiscard]] const grid::VectorField* across() const { return across_ ? &*across_ : nullptr; }
 
   /// Sum over this rank's columns of the shear stress on xy edges, for each row 0 .. ny: the fluxes of which
   /// the force is the difference.
@@ -52,6 +58,7 @@ class ExcessViscosity {
   StressDivergence divergence_;
   grid::Field shear_xy_, shear_yz_;  ///< du/dy and dw/dy of the solid on edges
   grid::VectorField force_;
+  std::optional<grid::VectorField> across_;
   int end_row_ = 0;
 };
 

@@ -35,7 +35,8 @@ class Formulation {
   virtual void make_consistent(Material& material, int first_row, const PlaneReady& ready) = 0;
 
   /// Advances the material through one substep with the velocity at its beginning (ghost cells filled), in
-  /// rows from first_row on, and makes it consistent.
+  /// rows from first_row on, and makes it consistent; without `ready` perhaps not B, which a formulation that
+  /// derives it leaves as it was.
   virtual void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
                          int first_row, const PlaneReady& ready) = 0;
 

@@ -32,8 +32,12 @@ Solid::Solid(const SolidSpec& spec, const Grid& grid, const parallel::Decomposit
       formulation_(formulation_of(spec, grid, decomposition, halo)),
       force_(spec.G, formulation_->interface_share(), grid) {
   const InterfaceShare& share = formulation_->interface_share();
+  const bool implicit = spec.stiffness == Stiffness::kImplicit;
+  splits_viscosity_ = implicit && spec.viscosity_ratio > 1;
   if (spec.viscosity_ratio != 1 || !share.is_mean_by_volume())
-    excess_viscosity_.emplace(spec.viscosity_ratio, formulation_->solid_from(), share, grid);
+    excess_viscosity_.emplace(spec.viscosity_ratio, formulation_->solid_from(), share, grid,
+                              splits_viscosity_);
+  if (implicit) row_stiffness_.emplace(spec, share, grid);
 }
 
 void Solid::start(Material& material) {
@@ -59,18 +63,41 @@ PlaneReady Solid::find_force(const Material& material) {
 
 void Solid::transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt) {
   if (excess_viscosity_) excess_viscosity_->renew(material, velocity, first_row_);
-  force_.keep();
-  formulation_->transport(material, velocity, stage, dt, first_row_, find_force(material));
+  const auto move = [&](const PlaneReady& ready) {
+    formulation_->transport(material, velocity, stage, dt, first_row_, ready);
+  };
+  if (!row_stiffness_) {
+    force_.keep();
+    move(find_force(material));
+  } else if (is_first(stage)) {
+    force_.keep();
+    move([&](int k) { force_.find_middle(material, first_row_, k); });
+  } else if (is_last(stage)) {
+    move(find_force(material));
+  } else {
+    move({});
+  }
+}
+
+void Solid::resist(const Material& material, const grid::VectorField& before, const ImplicitWeights& weights,
+                   grid::VectorField& velocity) {
+  if (row_stiffness_) row_stiffness_->apply(material, before, weights, first_row_, velocity);
 }
 
 SolidInput Solid::input(const Material& material) const {
-  SolidInput input{&material.phi, &force_.now(), &force_.before(), first_row_, spec_.viscosity_ratio};
+  // Implicit: the force of the middle of the step throughout.
+  const auto& now = row_stiffness_ ? force_.before() : force_.now();
+  SolidInput input{&material.phi, &now, &force_.before(), first_row_, spec_.viscosity_ratio};
   input.fluid_end_row = material.all_solid_from;
   if (excess_viscosity_) {
     input.excess_viscous = &excess_viscosity_->force();
     input.excess_end_row = excess_viscosity_->end_row();
+    input.excess_across = excess_viscosity_->across();
   }
-  input.interface_viscosity = interface_share().largest_factor();
+  if (!splits_viscosity_) {
+    input.ratio_across = spec_.viscosity_ratio;
+    input.interface_viscosity = interface_share().largest_factor();
+  }
   return input;
 }
 
@@ -81,6 +108,7 @@ std::vector<double> Solid::excess_shear_sums(const Material& material,
 }
 
 double Solid::elastic_limit(const Material& m) const {
+  if (row_stiffness_) return limit_along_rows(m);
   constexpr double kStable = 0.86;
   const auto phi = m.phi.view(), xx = m.B.xx.view(), yy = m.B.yy.view(), zz = m.B.zz.view(),
              xy = m.B.xy.view(), xz = m.B.xz.view(), yz = m.B.yz.view();
@@ -94,6 +122,25 @@ double Solid::elastic_limit(const Material& m) const {
                  std::abs(yz(i, j, k)) * inv_dy[j] * inv_dz));
   };
   double stiffest = 0;  // found height by height, as the fields lie in memory
+  for (int j = first_row_; j < grid_.ny; ++j)
+    stiffest = grid::max_cells(grid::rows(grid_, j, j + 1), stiffest, stiffness);
+  const double omega = 2 * std::sqrt(spec_.G * parallel::maximum(decomposition_.all(), stiffest));
+  return omega > 0 ? kStable / omega : std::numeric_limits<double>::infinity();
+}
+
+double Solid::limit_along_rows(const Material& m) const {
+  constexpr double kStable = 1.7;
+  constexpr Real kCross = Real(1 / RowStiffness::kSpare);
+  const auto phi = m.phi.view(), xx = m.B.xx.view(), yy = m.B.yy.view(), zz = m.B.zz.view(),
+             xy = m.B.xy.view(), xz = m.B.xz.view(), yz = m.B.yz.view();
+  const Real inv_dx = Real(1 / grid_.dx), inv_dz = Real(1 / grid_.dz);
+  const auto stiffness = [=](int i, int j, int k) {
+    const Real oblique = std::abs(xy(i, j, k)) * inv_dx + std::abs(yz(i, j, k)) * inv_dz;
+    return phi(i, j, k) * (xx(i, j, k) * inv_dx * inv_dx + zz(i, j, k) * inv_dz * inv_dz +
+                           2 * std::abs(xz(i, j, k)) * inv_dx * inv_dz +
+                           kCross * oblique * oblique / (yy(i, j, k) + Real(1e-6)));
+  };
+  double stiffest = 0;
   for (int j = first_row_; j < grid_.ny; ++j)
     stiffest = grid::max_cells(grid::rows(grid_, j, j + 1), stiffest, stiffness);
   const double omega = 2 * std::sqrt(spec_.G * parallel::maximum(decomposition_.all(), stiffest));

@@ -13,6 +13,7 @@
 #include "solver/solid/excess_viscosity.hpp"
 #include "solver/solid/formulation.hpp"
 #include "solver/solid/material.hpp"
+#include "solver/solid/row_stiffness.hpp"
 
 /// The border between the solid and the rest of the solver: velocity and stage in, solid fraction, elastic
 /// and excess viscous force out. Behind it stands a formulation (formulation.hpp), which moves the material;
@@ -35,6 +36,11 @@ class Solid {
   /// finding the excess viscous force of that moment.
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt);
 
+  /// Where the stress between rows is implicit: lets it resist what a substep has changed of the velocity
+  /// since `before` (row_stiffness.hpp). Elsewhere does nothing.
+  void resist(const Material& material, const grid::VectorField& before, const ImplicitWeights& weights,
+              grid::VectorField& velocity);
+
   /// phi, the elastic force of moments k and k-1 and the excess viscous force of moment k-1 for the
   /// predictor.
   [[nodiscard]] SolidInput input(const Material& material) const;
@@ -55,6 +61,7 @@ class Solid {
   [[nodiscard]] const InterfaceShare& interface_share() const { return formulation_->interface_share(); }
 
  private:
+  [[nodiscard]] double limit_along_rows(const Material& material) const;
   [[nodiscard]] PlaneReady find_force(const Material& material);
   [[nodiscard]] int find_first_row(const Material& material) const;
 
@@ -64,6 +71,8 @@ class Solid {
   std::unique_ptr<Formulation> formulation_;
   std::optional<ExcessViscosity> excess_viscosity_;  ///< where the fluid's stress alone is not the whole
   ElasticForce force_;
+  std::optional<RowStiffness> row_stiffness_;  ///< where it is implicit
+  bool splits_viscosity_ = false;              ///< its part between rows is implicit
   int first_row_ = 0;
 };
 

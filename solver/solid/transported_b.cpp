@@ -127,6 +127,7 @@ void TransportedB::make_consistent(Material& m, int first_row, const PlaneReady&
   } else {
     line(m, first_row);
   }
+  if (!ready) return;
   for (int k = 0; k < grid_.nz; ++k) ready(k);
 }
 

@@ -23,6 +23,13 @@ void start(State& s, Setup& setup) {
 
 namespace {
 
+/// What the solid's stress between rows does to u* where it is implicit (16).
+void resist(State& s, Setup& setup, const Stage& stage, double dt) {
+  if (!setup.solid) return;
+  setup.solid->resist(s.material, setup.predictor.velocity_before(), {dt, stage.alpha * dt * setup.viscosity},
+                      s.velocity);
+}
+
 /// The substeps of a closed box: no driving; a prescribed velocity only carries the solid.
 void advance_closed_box(State& s, Setup& setup, double dt) {
   auto& profile = setup.profile;
@@ -34,6 +41,7 @@ void advance_closed_box(State& s, Setup& setup, double dt) {
       if (viscosity) viscosity->keep(s.velocity, stage, dt);
       setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);
       if (viscosity) viscosity->apply(s.velocity, stage, dt);
+      resist(s, setup, stage, dt);
     });
     fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
     profile.time(Phase::kPoisson, [&] { setup.box_projection->project(s.velocity, s.pressure, stage, dt); });
@@ -67,6 +75,7 @@ double advance_channel(State& s, Setup& setup, double dt) {
     });
     profile.time(Phase::kMomentum, [&] {  // u* (8)
       setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);
+      resist(s, setup, stage, dt);
     });
     driven += project_and_drive(s, setup, stage, dt);
     profile.time(Phase::kHalo, [&] { fluid::fill_other_ghosts(s.velocity, setup.walls, setup.halo); });

@@ -31,8 +31,12 @@ inline Physics elastic_channel(Cells n) {
   Physics p = rigid_channel(n);
   p.flow = FlowType::kElasticWall;
   p.layer_height = 2.0 * n.ny_solid / n.ny_fluid;
-  p.solid = SolidSpec{
-      .G = 1, .viscosity_ratio = 1, .weno = WenoWeights::kZ, .threshold = 0.9, .min_eigenvalue = 1e-4};
+  p.solid = SolidSpec{.G = 1,
+                      .viscosity_ratio = 1,
+                      .weno = WenoWeights::kZ,
+                      .threshold = 0.9,
+                      .min_eigenvalue = 1e-4,
+                      .stiffness = Stiffness::kImplicit};
   return p;
 }
 
@@ -75,6 +79,7 @@ inline Physics cavity_with_disc(int nx, int ny) {
                       .threshold = 0.5,
                       .min_eigenvalue = 1e-4,
                       .extension = Extension::kNormal,
+                      .stiffness = Stiffness::kImplicit,
                       .disc = DiscSpec{.x = 0.6, .y = 0.65, .radius = 0.2}};
   return p;
 }

@@ -112,7 +112,7 @@ std::int64_t ReferenceMap::derive(Material& m, int first_row, const PlaneReady& 
   share_.follow([&](int i, int k) { return wide_heights_.flatness(i, k, row_height); });
   m.all_solid_from = fractions_.fill(wide_heights_, first_row, m.phi);
   continue_fraction(m, first_row);
-  return find_strain(m, first_row, ready);
+  return ready ? find_strain(m, first_row, ready) : 0;
 }
 
 double ReferenceMap::row_height_at(double y) const {
