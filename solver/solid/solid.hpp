@@ -54,7 +54,7 @@ class Solid {
   /// omega^2 = 4 G phi sum_ij |B_ij| / (d_i d_j) the stiffest two-cell mode of a cell.
   [[nodiscard]] double elastic_limit(const Material& material) const;
 
-  /// Cells that the limiter of B touched, or torn cells of a map, on this rank, summed over substeps, since
+  /// Cells that the limiter of B touched, or mended cells of a map, on this rank, summed over substeps, since
   /// the start of the program.
   [[nodiscard]] std::int64_t limited_cells() const { return formulation_->limited_cells(); }
   [[nodiscard]] int first_row() const { return first_row_; }
