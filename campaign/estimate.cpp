@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/case/step_limits.hpp"
 #include "solver/case/wall_normal_grid.hpp"
 
 namespace softwall::campaign {
@@ -11,16 +12,13 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Stability of the scheme (solver/time): advection CFL, explicit diffusion, elastic wave in the smallest
-/// cell.
-constexpr double kAdvectionLimit = 1.2, kRealAxis = 2.51, kElasticLimit = 0.43;
-
 /// Largest velocities of a turbulent channel at these Reynolds numbers, in U_b, each where its cells are
 /// smallest.
 constexpr double kU = 1.3, kV = 0.2, kW = 0.2;
 
-/// Largest eigenvalue of B in a softly deforming layer.
-constexpr double kStretch = 2.0;
+/// Largest eigenvalue of B in a layer that waves deform: near 1 in a stiff one, 2 at G = 0.5, and in a softer
+/// one more.
+double stretch(double G) { return 1 + 0.5 / G; }
 
 struct Spacing {
   double x, y, z;
@@ -33,8 +31,30 @@ double smallest_difference(const std::vector<double>& faces, std::size_t first) 
   return smallest;
 }
 
-double diffusion_limit(const Spacing& d, double viscosity) {
-  return kRealAxis / (4.0 * viscosity * (1 / (d.x * d.x) + 1 / (d.y * d.y) + 1 / (d.z * d.z)));
+/// The viscosities of what is explicit over the fluid's: along the rows and between them.
+struct Viscosities {
+  double along = 1, across = 1;
+};
+
+Viscosities viscosities(const Physics& physics) {
+  if (!physics.solid) return {};
+  const double larger = std::max(1.0, physics.solid->viscosity_ratio);
+  return {larger, physics.solid->stiffness == Stiffness::kImplicit ? 1.0 : larger};
+}
+
+double diffusion_limit(const Spacing& d, const Physics& physics) {
+  const auto [along, across] = viscosities(physics);
+  return step_limits::viscosity(1 / physics.reynolds,
+                                along / (d.x * d.x) + across / (d.y * d.y) + along / (d.z * d.z));
+}
+
+double elastic_limit(const Spacing& d, const SolidSpec& solid) {
+  const double most = stretch(solid.G);
+  const step_limits::Deformation<double> B{most, most, most, 0, 0, 0};
+  const step_limits::InverseSpacings<double> inv{1 / d.x, 1 / d.y, 1 / d.z};
+  return step_limits::elastic(
+      solid.stiffness, solid.G,
+      solid.stiffness == Stiffness::kImplicit ? stiffness_along_rows(B, inv) : stiffness(B, inv));
 }
 
 }  // namespace
@@ -46,16 +66,14 @@ StepLimits step_limits(const Physics& physics) {
   const auto faces = wall_normal_faces(physics);
   const Spacing d{physics.length_x / grid.nx, smallest_difference(faces, 0), physics.length_z / grid.nz};
   const double safety = physics.time_step.safety;
-  const double viscosity_ratio = physics.solid ? std::max(1.0, physics.solid->viscosity_ratio) : 1.0;
   StepLimits limits;
-  limits.advection = safety * kAdvectionLimit / (kU / d.x + kV / d.y + kW / d.z);
+  limits.advection = safety * step_limits::convection(kU / d.x + kV / d.y + kW / d.z);
   const bool implicit = physics.time_step.viscosity == ViscousTerms::kImplicit;
-  limits.viscosity = implicit ? kInfinite : safety * diffusion_limit(d, viscosity_ratio / physics.reynolds);
+  limits.viscosity = implicit ? kInfinite : safety * diffusion_limit(d, physics);
   limits.elastic = kInfinite;
   if (physics.solid) {
     const double layer = smallest_difference(faces, static_cast<std::size_t>(grid.ny_fluid));
-    const double least = std::min({layer, d.x, d.z});
-    limits.elastic = safety * kElasticLimit * least / std::sqrt(physics.solid->G * kStretch);
+    limits.elastic = safety * elastic_limit({d.x, layer, d.z}, *physics.solid);
   }
   return limits;
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "solver/case/step_limits.hpp"
 #include "solver/grid/cell_loop.hpp"
 #include "solver/parallel/reduce.hpp"
 
@@ -28,13 +28,9 @@ double convection_rate(const grid::VectorField& velocity, const Grid& g,
   return parallel::maximum(decomposition.all(), convection_rate_here(velocity, g));
 }
 
-double convection_limit(double rate) {
-  return rate > 0 ? std::numbers::sqrt3 / rate : std::numeric_limits<double>::infinity();
-}
-
 double moving_wall_limit(const Walls& walls, const Grid& g) {
   const double fastest = std::max(std::abs(walls.bottom_u), std::abs(walls.top_u));
-  return fastest > 0 ? std::numbers::sqrt3 * g.dx / fastest : std::numeric_limits<double>::infinity();
+  return step_limits::convection(fastest / g.dx);
 }
 
 namespace {
@@ -50,14 +46,13 @@ double across_the_interface(const SolidInput& solid) {
 }  // namespace
 
 double viscosity_limit(double viscosity, const SolidInput& solid, const Grid& g) {
-  constexpr double kRealAxis = 2.51;
   double limit = std::numeric_limits<double>::infinity();
   for (int j = 0; j < g.ny; ++j) {
     const bool holds_solid = solid.fraction && j >= solid.first_row;
     const double along = holds_solid ? std::max(1.0, solid.viscosity_ratio) : 1,
                  across = holds_solid ? across_the_interface(solid) : 1;
     const double rate = along / (g.dx * g.dx) + across * g.inv_dy[j] * g.inv_dy[j] + along / (g.dz * g.dz);
-    limit = std::min(limit, kRealAxis / (4 * viscosity * rate));
+    limit = std::min(limit, step_limits::viscosity(viscosity, rate));
   }
   return limit;
 }

@@ -5,8 +5,7 @@
 #include "solver/parallel/decomposition.hpp"
 
 /// Largest stable time steps of convection and viscosity for the three-substep Runge-Kutta scheme with
-/// central differences: its stability region reaches sqrt(3) on the imaginary axis and 2.51 on the negative
-/// real axis.
+/// central differences (case/step_limits.hpp).
 namespace softwall::fluid {
 
 /// Largest |u|/dx + |v|/dy + |w|/dz of this rank's cells, U_b / h; infinite when a velocity is not a number.
@@ -14,9 +13,6 @@ namespace softwall::fluid {
 /// Of all ranks' cells.
 [[nodiscard]] double convection_rate(const grid::VectorField& velocity, const Grid& grid,
                                      const parallel::Decomposition& decomposition);
-
-/// sqrt(3) / rate; infinite for a fluid at rest.
-[[nodiscard]] double convection_limit(double rate);
 
 /// The same limit for the fluid that a moving wall will set in motion, sqrt(3) dx / |u_wall|: a flow at rest
 /// has no other. Infinite when the walls are at rest.

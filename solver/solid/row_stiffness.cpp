@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "solver/case/step_limits.hpp"
 #include "solver/solid/fraction.hpp"
 
 namespace softwall::solid {
@@ -15,6 +16,7 @@ struct RowStiffness::Edges {
   const Real *inv_dy, *inv_dy_face;
   Real elastic, viscous;  ///< weights
   Real ratio;             ///< of the viscosities
+  Real solid_edge;        ///< share of an edge from which on it lies in the solid
   int top;                ///< the edge on the upper wall
   int solid_from;         ///< edges of this row and of those above lie in the solid altogether
 
@@ -35,17 +37,22 @@ struct RowStiffness::Edges {
     if constexpr (kViscous) c += viscous * (ratio - 1);
     return c * inv_dy_face[j];
   }
-  /// On an edge of which the share `fraction` is solid; a: of interface_share.hpp. What the solid's own shear
-  /// does there counts as if it were that of the edge.
+  /// On an edge of which the share `fraction` is solid; a: of interface_share.hpp.
   template <bool kViscous>
   [[nodiscard]] Real shared(int j, Real fraction, Real a, Real stretch) const {
-    const Real s = share_of_solid(fraction, a);
-    Real c = elastic * s * stretch;
+    Real c = elastic * share_of_solid(fraction, a) * stretch;
     if constexpr (kViscous) {
-      const Real fluid = factor_of_fluid(fraction, a);
-      c += viscous * (fluid - 1 + std::max(Real(0), ratio * s - fluid * fraction));
+      c += viscous * (factor_of_fluid(fraction, a) - 1);
+      if (fraction >= solid_edge) c += viscous * of_solid_shear(fraction, a);
     }
     return c * inv_dy_face[j];
+  }
+  /// What the shear of the solid a row above does on it, over the height there.
+  [[nodiscard]] Real shared_above(int j, Real fraction, Real a) const {
+    return fraction < solid_edge ? viscous * of_solid_shear(fraction, a) * inv_dy_face[j + 1] : 0;
+  }
+  [[nodiscard]] Real of_solid_shear(Real fraction, Real a) const {
+    return ratio * share_of_solid(fraction, a) - factor_of_fluid(fraction, a) * fraction;
   }
   template <bool kViscous>
   [[nodiscard]] Real center(int i, int j, int k) const {
@@ -65,15 +72,16 @@ void fill(Real* row, int n, const Value& value) {
 
 }  // namespace
 
-RowStiffness::RowStiffness(const SolidSpec& spec, const InterfaceShare& share, const Grid& g)
+RowStiffness::RowStiffness(const SolidSpec& spec, const Formulation& formulation, const Grid& g)
     : G_(spec.G),
       viscosity_ratio_(spec.viscosity_ratio),
-      share_(share),
+      formulation_(formulation),
       grid_(g),
       stride_(parallel::whole_lines<Real>(g.nx)) {
   const auto length = static_cast<std::size_t>(stride_);
-  for (Row* one : {&low_, &high_, &rest_}) one->resize(length);
-  for (Row* plane : {&change_, &ratio_}) plane->resize(length * static_cast<std::size_t>(g.ny));
+  for (Row* one : {&low_.own, &low_.above, &high_.own, &high_.above, &rest_}) one->resize(length);
+  for (Row* plane : {&change_, &ratio_, &second_ratio_})
+    plane->resize(length * static_cast<std::size_t>(g.ny + 1));
 }
 
 void RowStiffness::apply(const Material& m, const grid::VectorField& before, const ImplicitWeights& weights,
@@ -81,110 +89,127 @@ void RowStiffness::apply(const Material& m, const grid::VectorField& before, con
   const Grid& g = grid_;
   const Edges edges{{m.phi.view(), g.upper_share.data()},
                     m.B.yy.view(),
-                    share_.view(),
+                    formulation_.interface_share().view(),
                     g.inv_dy.data(),
                     g.inv_dy_face.data(),
-                    Real((1 + kSpare) * G_ * weights.dt * weights.dt / 4),
+                    Real((1 + step_limits::kSpareStiffness) * G_ * weights.dt * weights.dt / 4),
                     Real(weights.viscous),
                     Real(viscosity_ratio_),
+                    formulation_.solid_from(),
                     g.ny,
                     std::max(first_row, m.solid_edges_from(g.ny))};
+  const auto driving = Real(weights.driving);
   if (viscosity_ratio_ > 1) {
-    apply<true>(edges, before, first_row, velocity);
+    apply<true>(edges, before, driving, first_row, velocity);
   } else {
-    apply<false>(edges, before, first_row, velocity);
+    apply<false>(edges, before, driving, first_row, velocity);
   }
 }
 
 template <bool kViscous>
-void RowStiffness::apply(const Edges& at, const grid::VectorField& before, int first_row,
+void RowStiffness::apply(const Edges& at, const grid::VectorField& before, Real driving, int first_row,
                          grid::VectorField& velocity) {
   const Grid& g = grid_;
   const int ny = g.ny, nx = g.nx;
-  // On a wall the material holds fast, half a height away from the row beside it; below the band there is
-  // none.
-  const auto at_ends = [=](Real* row, int j) {
-    const Real factor = j == 0 || j == ny ? 2 : j == first_row ? 0 : 1;
-    if (factor != 1) fill(row, nx, [=](int i) { return factor * row[i]; });
+  /// fraction(i, j), a(i), stretch(i, j): of the edges of a plane.
+  const auto on_edges = [=](const auto& fraction, const auto& a, const auto& stretch) {
+    return [=](Side& side, int j) {
+      Real *const own = side.own.data(), *const above = side.above.data();
+      if (j < at.solid_from) {
+        fill(own, nx,
+             [=](int i) { return at.template shared<kViscous>(j, fraction(i, j), a(i), stretch(i, j)); });
+        if constexpr (kViscous)
+          fill(above, nx, [=](int i) { return at.shared_above(j, fraction(i, j), a(i)); });
+      } else {
+        fill(own, nx, [=](int i) { return at.template in_solid<kViscous>(j, stretch(i, j)); });
+        if constexpr (kViscous) fill(above, nx, [](int) { return Real(0); });
+      }
+      // On a wall the material holds fast, half a height from the row beside it; below the band there is
+      // none.
+      const Real factor = j == 0 || j == ny ? 2 : j == first_row ? 0 : 1;
+      if (factor == 1) return;
+      fill(own, nx, [=](int i) { return factor * own[i]; });
+      if constexpr (kViscous) fill(above, nx, [](int) { return Real(0); });
+    };
   };
   for (int k = 0; k < g.nz; ++k) {
-    const auto on_xy = [=](Real* row, int j) {
-      if (j < at.solid_from) {
-        fill(row, nx, [=](int i) {
-          return at.template shared<kViscous>(j, at.phi.edge_xy(i, j, k), at.share.xy(i, k),
-                                              at.Byy_xy(i, j, k));
-        });
-      } else {
-        fill(row, nx, [=](int i) { return at.template in_solid<kViscous>(j, at.Byy_xy(i, j, k)); });
-      }
-      at_ends(row, j);
-    };
-    const auto on_yz = [=](Real* row, int j) {
-      if (j < at.solid_from) {
-        fill(row, nx, [=](int i) {
-          return at.template shared<kViscous>(j, at.phi.edge_yz(i, j, k), at.share.yz(i, k),
-                                              at.Byy_yz(i, j, k));
-        });
-      } else {
-        fill(row, nx, [=](int i) { return at.template in_solid<kViscous>(j, at.Byy_yz(i, j, k)); });
-      }
-      at_ends(row, j);
-    };
-    const auto on_centers = [=](Real* row, int j) {
+    const auto on_xy =
+        on_edges([=](int i, int j) { return at.phi.edge_xy(i, j, k); },
+                 [=](int i) { return at.share.xy(i, k); }, [=](int i, int j) { return at.Byy_xy(i, j, k); });
+    const auto on_yz =
+        on_edges([=](int i, int j) { return at.phi.edge_yz(i, j, k); },
+                 [=](int i) { return at.share.yz(i, k); }, [=](int i, int j) { return at.Byy_yz(i, j, k); });
+    const auto on_centers = [=](Side& side, int j) {
       const bool in_band = j > first_row;
-      fill(row, nx, [=](int i) { return in_band ? at.template center<kViscous>(i, j - 1, k) : 0; });
+      fill(side.own.data(), nx,
+           [=](int i) { return in_band ? at.template center<kViscous>(i, j - 1, k) : 0; });
     };
-    solve(first_row, g.inv_dy.data(), on_xy, before.x.view(), velocity.x.view(), k);
-    solve(std::max(first_row, 1), g.inv_dy_face.data(), on_centers, before.y.view(), velocity.y.view(), k);
-    solve(first_row, g.inv_dy.data(), on_yz, before.z.view(), velocity.z.view(), k);
+    solve<kViscous>({g.inv_dy.data(), first_row, k, driving}, on_xy, before.x.view(), velocity.x.view());
+    solve<false>({g.inv_dy_face.data(), std::max(first_row, 1), k, 0}, on_centers, before.y.view(),
+                 velocity.y.view());
+    solve<kViscous>({g.inv_dy.data(), first_row, k, 0}, on_yz, before.z.view(), velocity.z.view());
   }
 }
 
-/// Thomas algorithm for the columns of a plane side by side, in the form of pressure/tridiagonal.cpp, which
-/// is free of cancellation. c(row, j) fills the coefficients below the unknowns of row j; beyond both ends
-/// q = 0.
-template <class Coefficient>
-void RowStiffness::solve(int row0, const Real* inverse_height, const Coefficient& c, View<const Real> before,
-                         View<Real> velocity, int k) {
-  const int nx = grid_.nx, ny = grid_.ny;
+/// Gaussian elimination for the columns of a plane side by side. c(side, j) fills the coefficients of the
+/// edges below the unknowns of row j; beyond both ends q = 0. Each row in turn becomes
+///   q[j] = change[j] + ratio[j] q[j+1] + second_ratio[j] q[j+2].
+template <bool kAbove, class Coefficients>
+void RowStiffness::solve(const Systems& systems, const Coefficients& c, View<const Real> before,
+                         View<Real> velocity) {
+  const int nx = grid_.nx, ny = grid_.ny, row0 = systems.row0, k = systems.k;
+  const Real constant = systems.constant;
   Real* const rest = rest_.data();
   std::fill(rest, rest + nx, Real(1));
-  c(low_.data(), row0);
+  std::fill_n(row(change_, row0 - 1), nx, Real(0));
+  if constexpr (kAbove) std::fill_n(row(second_ratio_, row0 - 1), nx, Real(0));
+  c(low_, row0);
   for (int j = row0; j < ny; ++j) {
-    c(high_.data(), j + 1);
-    const Real factor = inverse_height[j];
-    const Real *const low = low_.data(), *const high = high_.data();
-    Real *const q = row(change_, j), *const f = row(ratio_, j);
-    const Real* const below = j > row0 ? row(change_, j - 1) : nullptr;
+    c(high_, j + 1);
+    const Real factor = systems.inverse_height[j];
+    const Real *const low = low_.own.data(), *const high = high_.own.data(),
+                      *const low_above = low_.above.data(), *const high_above = high_.above.data();
+    Real *const q = row(change_, j), *const f = row(ratio_, j), *const f2 = row(second_ratio_, j);
+    const Real *const below = row(change_, j - 1), *const f2_below = row(second_ratio_, j - 1);
     const Real *const old = &before(0, j, k), *const now = &velocity(0, j, k);
-    const auto eliminate = [=](const auto& from_below) {
 #pragma omp simd
-      for (int i = 0; i < nx; ++i) {
-        const Real lower = factor * low[i], upper = factor * high[i], here = 1 + lower * rest[i];
+    for (int i = 0; i < nx; ++i) {
+      const Real lower = factor * low[i];
+      Real upper = factor * high[i], here = 1 + lower * rest[i];  // rest: 1 - ratio of the row below
+      if constexpr (kAbove) {
+        const Real second = factor * high_above[i];
+        upper -= factor * low_above[i];
+        const Real inverse = 1 / (here + upper);
+        const Real first = upper - second + lower * f2_below[i];
+        f[i] = first * inverse;
+        f2[i] = second * inverse;
+        rest[i] = 1 - f[i];
+        q[i] = (now[i] - old[i] + constant + lower * below[i]) * inverse;
+      } else {
         const Real inverse = 1 / (here + upper);
         rest[i] = here * inverse;
         f[i] = upper * inverse;
-        q[i] = (now[i] - old[i] + lower * from_below(i)) * inverse;
+        q[i] = (now[i] - old[i] + constant + lower * below[i]) * inverse;
       }
-    };
-    if (below) {
-      eliminate([=](int i) { return below[i]; });
-    } else {
-      eliminate([](int) { return Real(0); });
     }
     std::swap(low_, high_);
   }
   for (int j = ny - 1; j >= row0; --j) {
     Real* const q = row(change_, j);
-    const Real *const f = row(ratio_, j), *const old = &before(0, j, k);
+    const Real *const f = row(ratio_, j), *const f2 = row(second_ratio_, j), *const old = &before(0, j, k);
     Real* const now = &velocity(0, j, k);
     if (j < ny - 1) {
       const Real* const above = row(change_, j + 1);
 #pragma omp simd
       for (int i = 0; i < nx; ++i) q[i] += f[i] * above[i];
     }
+    if (kAbove && j < ny - 2) {
+      const Real* const above = row(change_, j + 2);
 #pragma omp simd
-    for (int i = 0; i < nx; ++i) now[i] = old[i] + q[i];
+      for (int i = 0; i < nx; ++i) q[i] += f2[i] * above[i];
+    }
+#pragma omp simd
+    for (int i = 0; i < nx; ++i) now[i] = old[i] + (q[i] - constant);
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "solver/parallel/line_memory.hpp"
-#include "solver/solid/interface_share.hpp"
+#include "solver/solid/formulation.hpp"
 #include "solver/solid/material.hpp"
 
 /// What a change of velocity within a substep adds to the stress between rows of cells, taken implicitly. A
@@ -12,22 +12,21 @@
 ///   q - (dt^2 / 4) d/dy [ c dq/dy ] = u* - u^{k-1},   u* = u^{k-1} + q,
 /// a tridiagonal system for each column and component. Where the solid does not reach, c = 0 and nothing
 /// changes; where it rests, q = 0, so that what is at equilibrium is as without. The coefficient is not phi G
-/// B_yy but (1 + kSpare) times that: it must outweigh what is left explicit of waves that run obliquely
-/// through sheared material (Solid::elastic_limit), and more of it than is exact makes no wave grow, as long
-/// as it is the same in all substeps.
+/// B_yy but (1 + s) times that: it must outweigh what is left explicit of waves that run obliquely
+/// through sheared material (step_limits::kSpareStiffness), and more of it than is exact makes no wave grow,
+/// as long as it is the same in all substeps.
 namespace softwall::solid {
 
-/// Of a step, h / U_b, and alpha dt of a substep times the viscosity of the fluid.
 struct ImplicitWeights {
-  double dt, viscous;
+  double dt;       ///< of the whole step
+  double viscous;  ///< alpha dt of the substep times the viscosity of the fluid
+  double driving;  ///< 2 alpha dt times the driving gradient expected
 };
 
 class RowStiffness {
  public:
-  static constexpr double kSpare = 0.25;
-
-  /// `share`: of the shear stress of an edge on the interface; must outlive it.
-  RowStiffness(const SolidSpec& spec, const InterfaceShare& share, const Grid& grid);
+  /// `formulation` must outlive it.
+  RowStiffness(const SolidSpec& spec, const Formulation& formulation, const Grid& grid);
 
   /// Replaces u* by u^{k-1} + q in rows from first_row on. Reads phi and B of columns and planes -1, too;
   /// ghost cells of the velocities are neither read nor written.
@@ -37,21 +36,33 @@ class RowStiffness {
  private:
   using Row = parallel::LineVector<Real>;
   struct Edges;
+  /// Coefficients on the edges of a row: of the difference across the edge itself, and across the one above.
+  struct Side {
+    Row own, above;
+  };
+  /// The systems of a plane: 1 over the height around an unknown, the lowest row of unknowns, what is added
+  /// to every right-hand side and taken from the result.
+  struct Systems {
+    const Real* inverse_height;
+    int row0, k;
+    Real constant;
+  };
   template <bool kViscous>
-  void apply(const Edges& edges, const grid::VectorField& before, int first_row, grid::VectorField& velocity);
-  template <class Coefficient>
-  void solve(int row0, const Real* inverse_height, const Coefficient& c, View<const Real> before,
-             View<Real> velocity, int k);
-  [[nodiscard]] Real* row(Row& rows, int j) const { return rows.data() + std::ptrdiff_t(j) * stride_; }
+  void apply(const Edges& edges, const grid::VectorField& before, Real driving, int first_row,
+             grid::VectorField& velocity);
+  template <bool kAbove, class Coefficients>
+  void solve(const Systems& systems, const Coefficients& c, View<const Real> before, View<Real> velocity);
+  /// Row j of a plane; there is one for -1.
+  [[nodiscard]] Real* row(Row& rows, int j) const { return rows.data() + std::ptrdiff_t(j + 1) * stride_; }
 
   double G_, viscosity_ratio_;
-  const InterfaceShare& share_;
+  const Formulation& formulation_;
   const Grid& grid_;
   std::ptrdiff_t stride_;
-  Row low_, high_;  ///< coefficients at the sides of a row of unknowns
-  Row rest_;        ///< 1 - ratio of the row below
-  Row change_;      ///< q of a plane
-  Row ratio_;       ///< upper off-diagonal over pivot of a plane
+  Side low_, high_;  ///< of a row of unknowns
+  Row rest_;         ///< 1 - ratio of the row below
+  Row change_;       ///< q of a plane
+  Row ratio_, second_ratio_;
 };
 
 }  // namespace softwall::solid

@@ -1,10 +1,9 @@
 #include "solver/solid/solid.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
+#include "solver/case/step_limits.hpp"
 #include "solver/grid/cell_loop.hpp"
 #include "solver/parallel/reduce.hpp"
 #include "solver/solid/reference_map/reference_map.hpp"
@@ -37,7 +36,7 @@ Solid::Solid(const SolidSpec& spec, const Grid& grid, const parallel::Decomposit
   if (spec.viscosity_ratio != 1 || !share.is_mean_by_volume())
     excess_viscosity_.emplace(spec.viscosity_ratio, formulation_->solid_from(), share, grid,
                               splits_viscosity_);
-  if (implicit) row_stiffness_.emplace(spec, share, grid);
+  if (implicit) row_stiffness_.emplace(spec, *formulation_, grid);
 }
 
 void Solid::start(Material& material) {
@@ -108,43 +107,26 @@ std::vector<double> Solid::excess_shear_sums(const Material& material,
 }
 
 double Solid::elastic_limit(const Material& m) const {
-  if (row_stiffness_) return limit_along_rows(m);
-  constexpr double kStable = 0.86;
+  using step_limits::Deformation, step_limits::InverseSpacings;
   const auto phi = m.phi.view(), xx = m.B.xx.view(), yy = m.B.yy.view(), zz = m.B.zz.view(),
              xy = m.B.xy.view(), xz = m.B.xz.view(), yz = m.B.yz.view();
   const Real* inv_dy = grid_.inv_dy.data();
   const Real inv_dx = Real(1 / grid_.dx), inv_dz = Real(1 / grid_.dz);
-  const auto stiffness = [=](int i, int j, int k) {
-    return phi(i, j, k) *
-           (xx(i, j, k) * inv_dx * inv_dx + yy(i, j, k) * inv_dy[j] * inv_dy[j] +
-            zz(i, j, k) * inv_dz * inv_dz +
-            2 * (std::abs(xy(i, j, k)) * inv_dx * inv_dy[j] + std::abs(xz(i, j, k)) * inv_dx * inv_dz +
-                 std::abs(yz(i, j, k)) * inv_dy[j] * inv_dz));
+  const auto stiffest = [&](const auto& stiffness) {
+    double found = 0;  // height by height, as the fields lie in memory
+    for (int j = first_row_; j < grid_.ny; ++j) {
+      found = grid::max_cells(grid::rows(grid_, j, j + 1), found, [=](int i, int row, int k) {
+        const Deformation<Real> B{xx(i, row, k), yy(i, row, k), zz(i, row, k),
+                                  xy(i, row, k), xz(i, row, k), yz(i, row, k)};
+        return phi(i, row, k) * stiffness(B, InverseSpacings<Real>{inv_dx, inv_dy[row], inv_dz});
+      });
+    }
+    return parallel::maximum(decomposition_.all(), found);
   };
-  double stiffest = 0;  // found height by height, as the fields lie in memory
-  for (int j = first_row_; j < grid_.ny; ++j)
-    stiffest = grid::max_cells(grid::rows(grid_, j, j + 1), stiffest, stiffness);
-  const double omega = 2 * std::sqrt(spec_.G * parallel::maximum(decomposition_.all(), stiffest));
-  return omega > 0 ? kStable / omega : std::numeric_limits<double>::infinity();
-}
-
-double Solid::limit_along_rows(const Material& m) const {
-  constexpr double kStable = 1.7;
-  constexpr Real kCross = Real(1 / RowStiffness::kSpare);
-  const auto phi = m.phi.view(), xx = m.B.xx.view(), yy = m.B.yy.view(), zz = m.B.zz.view(),
-             xy = m.B.xy.view(), xz = m.B.xz.view(), yz = m.B.yz.view();
-  const Real inv_dx = Real(1 / grid_.dx), inv_dz = Real(1 / grid_.dz);
-  const auto stiffness = [=](int i, int j, int k) {
-    const Real oblique = std::abs(xy(i, j, k)) * inv_dx + std::abs(yz(i, j, k)) * inv_dz;
-    return phi(i, j, k) * (xx(i, j, k) * inv_dx * inv_dx + zz(i, j, k) * inv_dz * inv_dz +
-                           2 * std::abs(xz(i, j, k)) * inv_dx * inv_dz +
-                           kCross * oblique * oblique / (yy(i, j, k) + Real(1e-6)));
-  };
-  double stiffest = 0;
-  for (int j = first_row_; j < grid_.ny; ++j)
-    stiffest = grid::max_cells(grid::rows(grid_, j, j + 1), stiffest, stiffness);
-  const double omega = 2 * std::sqrt(spec_.G * parallel::maximum(decomposition_.all(), stiffest));
-  return omega > 0 ? kStable / omega : std::numeric_limits<double>::infinity();
+  const double found =
+      row_stiffness_ ? stiffest([](const auto& B, const auto& inv) { return stiffness_along_rows(B, inv); })
+                     : stiffest([](const auto& B, const auto& inv) { return stiffness(B, inv); });
+  return step_limits::elastic(spec_.stiffness, spec_.G, found);
 }
 
 Material flat_layer(const Grid& g, SolidFormulation formulation) {

@@ -50,8 +50,7 @@ class Solid {
   [[nodiscard]] std::vector<double> excess_shear_sums(const Material& material,
                                                       const grid::VectorField& velocity) const;
 
-  /// Largest stable time step of elastic waves: the scheme grows visibly beyond omega dt = 0.86, with
-  /// omega^2 = 4 G phi sum_ij |B_ij| / (d_i d_j) the stiffest two-cell mode of a cell.
+  /// Largest stable time step of the elastic waves that are explicit (case/step_limits.hpp).
   [[nodiscard]] double elastic_limit(const Material& material) const;
 
   /// Cells that the limiter of B touched, or mended cells of a map, on this rank, summed over substeps, since
@@ -61,7 +60,6 @@ class Solid {
   [[nodiscard]] const InterfaceShare& interface_share() const { return formulation_->interface_share(); }
 
  private:
-  [[nodiscard]] double limit_along_rows(const Material& material) const;
   [[nodiscard]] PlaneReady find_force(const Material& material);
   [[nodiscard]] int find_first_row(const Material& material) const;
 

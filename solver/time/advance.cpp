@@ -1,5 +1,6 @@
 #include "solver/time/advance.hpp"
 
+#include "solver/case/step_limits.hpp"
 #include "solver/fluid/forcing.hpp"
 #include "solver/fluid/stability.hpp"
 
@@ -26,7 +27,8 @@ namespace {
 /// What the solid's stress between rows does to u* where it is implicit (16).
 void resist(State& s, Setup& setup, const Stage& stage, double dt) {
   if (!setup.solid) return;
-  setup.solid->resist(s.material, setup.predictor.velocity_before(), {dt, stage.alpha * dt * setup.viscosity},
+  setup.solid->resist(s.material, setup.predictor.velocity_before(),
+                      {dt, stage.alpha * dt * setup.viscosity, 2 * stage.alpha * dt * s.driving_gradient},
                       s.velocity);
 }
 
@@ -102,7 +104,7 @@ TimeStep choose_time_step(const State& s, const Setup& setup, double convection_
   const parallel::Profile::Scope scope(&setup.profile, Phase::kTimeStep);
   const auto& spec = setup.physics.time_step;
   if (spec.fixed_dt) return {*spec.fixed_dt, "fixed"};
-  TimeStep step{fluid::convection_limit(convection_rate), "convection"};
+  TimeStep step{step_limits::convection(convection_rate), "convection"};
   const auto restrict_to = [&](double limit, const char* name) {
     if (limit < step.dt) step = {limit, name};
   };

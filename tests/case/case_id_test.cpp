@@ -84,7 +84,7 @@ TEST(CaseId, OnlyWhatDiffersFromTheDefaultIsHashed) {
   case_schema().drop_defaults(whole);
   EXPECT_EQ(
       canonical_text(whole.at("physics")),
-      R"({"flow":"elastic_wall","grid":{"nx":32,"ny_fluid":32,"ny_solid":8,"nz":16},"solid":{"G":0.5,"formulation":"reference_map"}})");
+      R"({"flow":"elastic_wall","grid":{"nx":32,"ny_fluid":32,"ny_solid":8,"nz":16},"solid":{"G":0.5,"formulation":"reference_map","stiffness":"implicit"}})");
 }
 
 /// Ids of released versions: when this fails, every finished case in the world has been orphaned. Do not
@@ -94,7 +94,8 @@ TEST(CaseId, NeverChanges) {
       case_id(json::parse(R"({"flow": "rigid_channel", "grid": {"nx": 32, "ny_fluid": 24, "nz": 16}})")),
       "1898238d1a454764");
   EXPECT_EQ(
-      case_id(json::parse(R"({"flow": "elastic_wall", "solid": {"G": 0.5, "formulation": "transported_B"},
+      case_id(json::parse(
+          R"({"flow": "elastic_wall", "solid": {"G": 0.5, "formulation": "transported_B", "stiffness": "explicit"},
                                     "grid": {"nx": 32, "ny_fluid": 32, "ny_solid": 8, "nz": 16}})")),
       "027084d3ff65cafd");
   EXPECT_EQ(case_id(json::parse(R"({
@@ -102,7 +103,7 @@ TEST(CaseId, NeverChanges) {
               "domain": {"length_x": 7, "length_z": 2.5, "layer_height": 0.75},
               "grid": {"nx": 33, "ny_fluid": 32, "ny_solid": 20, "nz": 17, "stretching": 1.25},
               "solid": {"G": 0.3, "viscosity_ratio": 0.1, "formulation": "transported_B", "weno": "js", "threshold": 0.7,
-                        "min_eigenvalue": 0.001},
+                        "min_eigenvalue": 0.001, "stiffness": "explicit"},
               "time_step": {"fixed_dt": 0.001, "safety": 0.5},
               "initial": {"type": "precursor", "amplitude": 0.2, "seed": 7, "precursor": "0123456789abcdef",
                           "precursor_time": 12.5},
@@ -114,7 +115,9 @@ TEST(CaseId, NeverChanges) {
 TEST(CaseId, AChangedDefaultGivesNoOldIdToNewPhysics) {
   json first = tests::elastic_document(), second = first, absent = first;
   first["physics"]["solid"]["formulation"] = "transported_B";
+  first["physics"]["solid"]["stiffness"] = "explicit";
   second["physics"]["solid"]["formulation"] = "reference_map";
+  second["physics"]["solid"]["stiffness"] = "implicit";
   EXPECT_EQ(id_of(first), "027084d3ff65cafd");
   EXPECT_NE(id_of(second), id_of(first));
   EXPECT_EQ(id_of(absent), id_of(second));
@@ -125,6 +128,8 @@ TEST(CaseId, AChangedDefaultGivesNoOldIdToNewPhysics) {
 TEST(CaseId, DefaultsNeverChange) {
   EXPECT_EQ(case_schema().part(json::json_pointer("/physics/solid/formulation"))->at("identity_default"),
             "transported_B");
+  EXPECT_EQ(case_schema().part(json::json_pointer("/physics/solid/stiffness"))->at("identity_default"),
+            "explicit");
   json whole = {{"physics",
                  {{"flow", "elastic_wall"},
                   {"grid", json::object()},
@@ -136,7 +141,7 @@ TEST(CaseId, DefaultsNeverChange) {
               "domain": {"length_x": 6, "length_z": 3, "layer_height": 0.5, "height": 2},
               "grid": {"ny_solid": 0, "stretching": 0}, "precision": "double",
               "solid": {"viscosity_ratio": 1, "formulation": "reference_map", "weno": "z", "interface": "weno",
-                        "threshold": 0.9, "extension": "column", "min_eigenvalue": 1e-4},
+                        "threshold": 0.9, "extension": "column", "min_eigenvalue": 1e-4, "stiffness": "implicit"},
               "wave": {"displacement": 1e-4},
               "time_step": {"safety": 0.8, "viscosity": "explicit"},
               "initial": {"type": "perturbed_laminar", "amplitude": 0.1, "seed": 1, "precursor": "",

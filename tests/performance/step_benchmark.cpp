@@ -2,7 +2,8 @@
 // The speed of a whole step as the solver makes it: choose dt, then advance. Prints one line of JSON, on rank
 // 0: for each sample, or the named one only, nanoseconds per cell and step, the phases, messages, allocations
 // and memory; and the bandwidth that the same ranks reach at the same time. Samples: "rigid", "elastic" (the
-// formulation of the solid that a case has by default) and "elastic_NAME" for every other formulation. With a
+// formulation of the solid that a case has by default), "elastic_NAME" for every other formulation, and
+// "elastic_explicit" for the default one with all stress explicit. With a
 // folder it also writes checkpoints there, in turns with dd.
 
 #include <algorithm>
@@ -99,6 +100,8 @@ std::vector<Sample> samples_of(const Cells& cells) {
     if (physics.solid->formulation != samples[1].physics.solid->formulation)
       samples.push_back({"elastic_" + formulation, physics});
   }
+  elastic["physics"]["solid"] = {{"G", 1}, {"stiffness", "explicit"}};
+  samples.push_back({"elastic_explicit", parse_case(elastic.dump()).physics});
   return samples;
 }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "tests/support/flows.hpp"
 #include "tests/support/order.hpp"
 
@@ -37,18 +39,20 @@ TEST(OrderInTime, BothTogetherWithTheFlowRateHeldAreThird) {
   EXPECT_NEAR(order(channel(50, 1.2), 16, true), 3, 0.15);
 }
 
-class OrderInTimeOfASolid : public testing::TestWithParam<SolidFormulation> {};
+class OrderInTimeOfASolid : public testing::TestWithParam<std::tuple<SolidFormulation, Stiffness>> {};
 
 TEST_P(OrderInTimeOfASolid, ElasticCouplingIsSecondAtLeast) {
   // A solid box deforms smoothly. (The limiter is never called for, threshold and band have nothing to do.)
   Physics p = support::solid_box({12, 10, 0, 8});
+  const auto [formulation, stiffness] = GetParam();
   p.solid->G = 2;
-  p.solid->formulation = GetParam();
+  p.solid->formulation = formulation;
+  p.solid->stiffness = stiffness;
   const auto solid_at_end = [&](int steps) {
     time::Setup setup(p, MPI_COMM_WORLD);
     setup.bulk_velocity.reset();
     State s = state_at_rest(setup);
-    s.material = support::solid_everywhere(setup.grid, GetParam());
+    s.material = support::solid_everywhere(setup.grid, p.solid->formulation);
     support::set_smooth_flow(s, setup);
     make_solenoidal(s, setup);
     for (int step = 0; step < steps; ++step) advance(s, setup, 0.25 / steps);
@@ -59,8 +63,14 @@ TEST_P(OrderInTimeOfASolid, ElasticCouplingIsSecondAtLeast) {
   EXPECT_GT(seen, 1.9);
 }
 
-INSTANTIATE_TEST_SUITE_P(, OrderInTimeOfASolid, testing::ValuesIn(support::kBothFormulations),
-                         [](const auto& test) { return support::name_of(test.param); });
+INSTANTIATE_TEST_SUITE_P(, OrderInTimeOfASolid,
+                         testing::Combine(testing::ValuesIn(support::kBothFormulations),
+                                          testing::Values(Stiffness::kExplicit, Stiffness::kImplicit)),
+                         [](const auto& test) {
+                           const auto [formulation, stiffness] = test.param;
+                           return std::string(support::name_of(formulation)) +
+                                  (stiffness == Stiffness::kImplicit ? "Implicit" : "Explicit");
+                         });
 
 }  // namespace
 }  // namespace softwall::time

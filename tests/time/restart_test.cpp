@@ -66,6 +66,16 @@ TEST(Restart, ElasticChannelWithAReferenceMapGoesOnWithTheSameBits) {
   }
 }
 
+TEST(Restart, AnExplicitElasticForceGoesOnWithTheSameBits) {
+  for (const auto formulation : support::kBothFormulations) {
+    Physics p = support::formulated(support::elastic_channel({12, 16, 6, 8}), formulation);
+    p.reynolds = 300;
+    p.solid->G = 0.5;
+    p.solid->stiffness = Stiffness::kExplicit;
+    expect_same_bits_from_any_moment(p, 40, false);
+  }
+}
+
 TEST(Restart, AlsoWhenTheLimiterActs) {
   Physics p = support::elastic_channel({12, 16, 6, 8});
   p.reynolds = 300;

@@ -89,8 +89,10 @@ Errors run(const Layers& given, const SolidSpec& solid, int cells) {
       [&](double y) { return exact.shear(y, 0); });
   start(s, setup);
   const double end = (std::numbers::pi + 0.8) / l.w;
-  const double limit = std::min(fluid::viscosity_limit(setup.viscosity, setup.solid->input(s.material), g),
-                                0.3 / std::sqrt(l.G) * g.dy[0]);
+  SolidInput input = setup.solid->input(s.material);
+  input.ratio_across = input.viscosity_ratio;  // dt ~ dy^2, though an implicit viscosity would not need it
+  const double limit =
+      std::min(fluid::viscosity_limit(setup.viscosity, input, g), 0.3 / std::sqrt(l.G) * g.dy[0]);
   const int steps = static_cast<int>(std::ceil(end / (0.8 * limit)));
   const double dt = end / steps;
   for (int n = 0; n < steps; ++n) {

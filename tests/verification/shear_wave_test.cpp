@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "solver/case/step_limits.hpp"
 #include "solver/time/advance.hpp"
 #include "tests/support/convergence.hpp"
 #include "tests/support/fields.hpp"
@@ -105,6 +106,55 @@ TEST_P(ShearWave, IsSecondOrderInTimeAtLeast) {
   EXPECT_GT(support::observed_order(coarse, middle), 1.9) << coarse << ' ' << middle;
   EXPECT_GT(support::observed_order(middle, fine), 1.9) << middle << ' ' << fine;
   support::report("shear wave, time step", {coarse, middle, fine});
+}
+
+/// An antiplane wave w = v(t) sin(kx x) sin(ky y), exact at any amplitude, too; after T = 1.3 against that of
+/// the discrete operator, whose eigenvalue is known. kx = 2 pi m / 6, ky = pi n / 2.
+double error_of_antiplane_wave(SolidFormulation formulation, int m, int n, int steps) {
+  Physics p = support::solid_box({12, 24, 0, 3 * support::world_size()});
+  p.length_x = 6;
+  p.length_z = 3 * support::world_size();
+  p.reynolds = kReynolds;
+  p.solid->formulation = formulation;
+  time::Setup setup(p, MPI_COMM_WORLD);
+  setup.bulk_velocity.reset();
+  State s = state_at_rest(setup.grid, true);
+  s.material = support::solid_everywhere(setup.grid, formulation);
+  const auto& g = setup.grid;
+  const double kx = kPi * m / 3, ky = kPi * n / 2;
+  const auto shape = [=](double x, double y, double) { return std::sin(kx * x) * std::sin(ky * y); };
+  support::set_by_position(s.velocity.z, g, support::kFaceZ,
+                           [=](double x, double y, double z) { return kV * shape(x, y, z); });
+  start(s, setup);
+  const double T = 1.3, dy = g.dy[0];
+  for (int step = 0; step < steps; ++step) advance(s, setup, T / steps);
+  const Wave wave{std::pow(2 * std::sin(kx * g.dx / 2) / g.dx, 2) +
+                  std::pow(2 * std::sin(ky * dy / 2) / dy, 2)};
+  return support::largest_error(
+      s.velocity.z, g, support::kFaceZ, setup.decomposition,
+      [=](double x, double y, double z) { return wave.velocity(T) * shape(x, y, z); });
+}
+
+/// Through y, obliquely, and nearly along x.
+TEST_P(ShearWave, IsSecondOrderInTimeAsFarAsFourTimesTheExplicitLimit) {
+  const step_limits::InverseSpacings<double> inv{12 / 6.0, 24 / 2.0, 1};
+  const double limit =
+      step_limits::elastic(Stiffness::kExplicit, kG,
+                           step_limits::stiffness(step_limits::Deformation<double>{1, 1, 1, 0, 0, 0}, inv));
+  const int most = static_cast<int>(1.3 / (4 * limit));  // steps a little longer than four times the limit
+  for (const auto [m, n] : {std::pair{2, 2}, std::pair{3, 1}}) {
+    const auto error = [&](int steps) { return error_of_antiplane_wave(GetParam(), m, n, steps); };
+    const std::vector<double> errors{error(most), error(2 * most), error(4 * most)};
+    SCOPED_TRACE(testing::Message() << "m = " << m << ", n = " << n);
+    support::expect_order("antiplane wave, time steps of 4, 2, 1 times the explicit limit", errors, 1.9);
+  }
+  const double dy = 2.0 / 24;
+  const Wave discrete{std::pow(2 * std::sin(kPi * dy / 2) / dy, 2), kG, 1 / kReynolds};
+  const auto through = [&](int steps) {
+    return run_wave(GetParam(), 24, 0, 1, steps, false, discrete).velocity;
+  };
+  support::expect_order("shear wave through y, the same",
+                        std::vector<double>{through(most), through(2 * most), through(4 * most)}, 1.9);
 }
 
 INSTANTIATE_TEST_SUITE_P(, ShearWave, testing::ValuesIn(support::kBothFormulations),

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/campaign/core/examples.hpp"
@@ -20,18 +21,29 @@ TEST(Estimate, LimitsFollowTheirFormulas) {
   const Case c = elastic_case();  // 48 x (64 + 16) x 48 in 6 x 2.5 x 3, safety 0.7
   const double dx = 6.0 / 48, dy = 1.0 / 32, dz = 3.0 / 48;
   const StepLimits limits = step_limits(c.physics);
-  EXPECT_NEAR(limits.advection, 0.7 * 1.2 / (1.3 / dx + 0.2 / dy + 0.2 / dz), 1e-12);
-  EXPECT_NEAR(limits.elastic, 0.7 * 0.43 * dy / std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(limits.advection, 0.7 * std::sqrt(3.0) / (1.3 / dx + 0.2 / dy + 0.2 / dz), 1e-12);
+  const double along = 1 / (dx * dx) + 1 / (dz * dz), stretch = 1.5;
+  EXPECT_NEAR(limits.elastic, 0.7 * 1.7 / (2 * std::sqrt(stretch * along)), 1e-12);
   EXPECT_NEAR(limits.viscosity, 0.7 * 2.51 * 2800 / (4 * (1 / (dx * dx) + 1 / (dy * dy) + 1 / (dz * dz))),
               1e-9);
-  EXPECT_EQ(limits.smallest(), limits.elastic);
+  EXPECT_EQ(limits.smallest(), std::min(limits.advection, limits.elastic));
+  Case paper = c;
+  paper.physics.solid->stiffness = Stiffness::kExplicit;
+  EXPECT_NEAR(step_limits(paper.physics).elastic,
+              0.7 * 0.86 / (2 * std::sqrt(stretch * (along + 1 / (dy * dy)))), 1e-12);
+  EXPECT_EQ(step_limits(paper.physics).smallest(), step_limits(paper.physics).elastic);
 }
 
 TEST(Estimate, StifferOrMoreViscousLayersCostMore) {
-  EXPECT_NEAR(step_limits(elastic_case(4.0).physics).elastic,
-              step_limits(elastic_case(1.0).physics).elastic / 2, 1e-12);
-  EXPECT_NEAR(step_limits(elastic_case(1, 10).physics).viscosity,
-              step_limits(elastic_case().physics).viscosity / 10, 1e-9);
+  EXPECT_NEAR(step_limits(elastic_case(4.0).physics).elastic,  // B reaches 1.125 and 1.5
+              step_limits(elastic_case(1.0).physics).elastic / std::sqrt(4 * 1.125 / 1.5), 1e-12);
+  EXPECT_LT(step_limits(elastic_case(1, 10).physics).viscosity,
+            step_limits(elastic_case().physics).viscosity / 2);
+  Case paper = elastic_case();
+  paper.physics.solid->stiffness = Stiffness::kExplicit;
+  Case viscous = paper;
+  viscous.physics.solid->viscosity_ratio = 10;
+  EXPECT_NEAR(step_limits(viscous.physics).viscosity, step_limits(paper.physics).viscosity / 10, 1e-9);
   EXPECT_EQ(step_limits(elastic_case(1, 0.1).physics).viscosity,
             step_limits(elastic_case().physics).viscosity);
 }
