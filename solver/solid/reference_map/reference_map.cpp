@@ -128,7 +128,7 @@ void ReferenceMap::fill_ghosts(grid::VectorField& d, int first_row) {
   halo_.fill({&d.x, &d.y, &d.z}, rows_with_ghosts(first_row));
 }
 
-/// Reads the displacement and its ghost cells. Returns the number of damaged cells.
+/// Reads the displacement and its ghost cells. Returns the number of torn cells.
 std::int64_t ReferenceMap::derive(Material& m, int first_row, const PlaneReady& ready) {
   wide_heights_.find(m.displacement.y, m.surface_at_rest);
   mean_height_ =

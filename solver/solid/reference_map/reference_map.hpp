@@ -36,7 +36,7 @@ class ReferenceMap : public Formulation {
   /// Under a flat surface: both rows whose difference it takes have their centers in the solid.
   [[nodiscard]] Real solid_from() const override { return Real(0.75); }
   [[nodiscard]] const InterfaceShare& interface_share() const override { return share_; }
-  /// Damaged cells (mending.hpp).
+  /// Torn cells (mending.hpp).
   [[nodiscard]] std::int64_t limited_cells() const override { return limited_cells_; }
 
  private:

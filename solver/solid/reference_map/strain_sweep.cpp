@@ -13,12 +13,12 @@ template <class Kernel>
   for (int i = first; i < end; ++i) kernel(i);
 }
 
-/// Number of damaged ones among n cells side by side.
-int damaged_cells(const Real* damage, int n) {
-  int damaged = 0;
-#pragma omp simd reduction(+ : damaged)
-  for (int i = 0; i < n; ++i) damaged += damage[i] > 0 ? 1 : 0;
-  return damaged;
+/// Number of cells, among n side by side, whose damage exceeds `least` or is whole.
+int cells_with(const Real* damage, int n, Real least) {
+  int cells = 0;
+#pragma omp simd reduction(+ : cells)
+  for (int i = 0; i < n; ++i) cells += damage[i] > least || damage[i] == 1 ? 1 : 0;
+  return cells;
 }
 
 /// Element 0 of a row is that of column 0; a line of the cache before it holds that of column -1.
@@ -46,7 +46,7 @@ StrainSweep::StrainSweep(const Grid& g) : nx_(g.nx), ny_(g.ny), nz_(g.nz) {
 
 std::int64_t StrainSweep::run(const Strain& strain, View<const Real> phi, int first_row,
                               const StrainFields& to, Damage& damage, const PlaneReady& ready) {
-  std::int64_t damaged = 0;
+  std::int64_t torn = 0;
   for (int k = -1; k <= nz_; ++k) {
     const bool has_centers = k < nz_, has_edges = k >= 0;
     if (has_edges) average(below_, strain, first_row - 1, k);
@@ -63,16 +63,16 @@ std::int64_t StrainSweep::run(const Strain& strain, View<const Real> phi, int fi
       if (has_centers) {
         centers(strain, phi, j, k, to, damage);
         const Real* const row = &damage.view()(0, j, k);
-        const int here = damaged_cells(row, nx_);
-        damage.set_row(j, k, here > 0 || row[-1] > 0);
-        if (has_edges) damaged += here;
+        const bool any = cells_with(row - 1, nx_ + 1, 0) > 0;
+        damage.set_row(j, k, any);
+        if (any && has_edges) torn += cells_with(row, nx_, 1);
       }
       if (has_edges) edges_xz(strain, j, k, to.xz);
       std::swap(low_, high_);
     }
     if (k > 0) ready(k - 1);
   }
-  return damaged;
+  return torn;
 }
 
 void StrainSweep::average(CellRow& row, const Strain& s, int j, int k) const {

@@ -28,7 +28,7 @@ class StrainSweep {
 
   /// Rows first_row <= j < ny, xy and yz edges on the upper wall, too; and what borders on this rank's cells:
   /// centers one column and plane before them, edges on their high sides. Returns the number of this rank's
-  /// damaged cells. ready: when the next plane is found, too.
+  /// torn cells. ready: when the next plane is found, too.
   std::int64_t run(const Strain& strain, View<const Real> phi, int first_row, const StrainFields& to,
                    Damage& damage, const PlaneReady& ready);
 
