@@ -35,7 +35,7 @@ void write_contents(const std::filesystem::path& file, time::State& state, const
                    record.statistics);
   out.create_group("diagnostics");
   out.write_number(
-      {"diagnostics/limited_cells", "cells in which B was limited or the map mended, since the case began"},
+      {"diagnostics/limited_cells", "cells in which B was limited or the map torn, since the case began"},
       record.limited_cells);
   out.write_number({"diagnostics/solid_volume_at_start", "sum of phi dV at time 0, h^3"},
                    record.solid_volume_at_start);

@@ -53,7 +53,7 @@ class Solid {
   /// Largest stable time step of the elastic waves that are explicit (case/step_limits.hpp).
   [[nodiscard]] double elastic_limit(const Material& material) const;
 
-  /// Cells that the limiter of B touched, or mended cells of a map, on this rank, summed over substeps, since
+  /// Cells that the limiter of B touched, or torn cells of a map, on this rank, summed over substeps, since
   /// the start of the program.
   [[nodiscard]] std::int64_t limited_cells() const { return formulation_->limited_cells(); }
   [[nodiscard]] int first_row() const { return first_row_; }

@@ -9,8 +9,8 @@
 /// neighbouring points lose each other: det A departs from 1 by much, or the stretch exceeds anything that
 /// the layer could do. No stress brings such points together again, and left alone they end the run. So in
 /// every substep a point beside such a cell moves towards the mean of its six neighbours, half the way where
-/// the damage is whole. Cells mended are counted (`limited_cells`), and the count tells how far to trust a
-/// run.
+/// the damage is whole. Cells whose damage is whole are torn. They are counted (`limited_cells`), and the
+/// count tells how far to trust a run.
 namespace softwall::solid::reference_map {
 
 /// Damage begins where |det A - 1| or the trace of B exceeds the first of these numbers and is whole (1) at

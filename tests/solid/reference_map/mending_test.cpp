@@ -46,7 +46,7 @@ struct TornLayer {
     return support::largest(
         support::global_values(m.displacement.y, d.grid, d.grid.ny, d.decomposition.all()));
   }
-  [[nodiscard]] double mended() const {
+  [[nodiscard]] double torn() const {
     return parallel::sum(d.decomposition.all(), double(map.limited_cells()));
   }
 };
@@ -57,10 +57,10 @@ TEST(Mending, TakesATornPointBackToItsNeighbours) {
   TornLayer layer(3 * dy);
   layer.substeps(30, 1e-9);
   EXPECT_LT(layer.displaced(), 0.36 * dy) << "no damage is left";
-  EXPECT_GT(layer.mended(), 2);
-  const double before = layer.mended();
+  EXPECT_GT(layer.torn(), 1);
+  const double before = layer.torn();
   layer.substeps(3, 1e-9);
-  EXPECT_EQ(layer.mended(), before);
+  EXPECT_EQ(layer.torn(), before);
 }
 
 TEST(Mending, LeavesAHealthyMapAlone) {
@@ -68,7 +68,7 @@ TEST(Mending, LeavesAHealthyMapAlone) {
   TornLayer layer(0.3 * dy);
   layer.substeps(6, 1e-12);
   EXPECT_NEAR(layer.displaced(), 0.3 * dy, 1e-10);
-  EXPECT_EQ(layer.mended(), 0);
+  EXPECT_EQ(layer.torn(), 0);
 }
 
 }  // namespace
