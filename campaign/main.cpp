@@ -4,9 +4,9 @@
 #include <iostream>
 #include <map>
 
-#include "campaign/campaign_lock.hpp"
 #include "campaign/commands/commands.hpp"
-#include "campaign/sqlite.hpp"
+#include "campaign/runner/campaign_lock.hpp"
+#include "campaign/store/sqlite.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/build_info.hpp"
 #include "solver/case/spelling.hpp"

@@ -1,8 +1,8 @@
 -- The results store of a campaign, format 1: <campaign directory>/results.db.
 --
 -- Written by `softwall` only; read it with `softwall query "SQL" DIR` or with sqlite3. Start with the view
--- `results`. application_id and user_version are set by campaign/store_schema.cpp in the transaction that runs this
--- file; every later format comes with a file in schemas/migrations/.
+-- `results`. application_id and user_version are set by campaign/store/store_schema.cpp in the transaction that runs
+-- this file; every later format comes with a file in schemas/migrations/.
 --
 -- The comment behind a column, "[unit] meaning", is its documentation: it is copied into the table `documentation`,
 -- and a test fails when a column has none. Unit "-": none. Times of day are ISO 8601 UTC text. Lengths in h,

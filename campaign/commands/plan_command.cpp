@@ -5,12 +5,12 @@
 
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
-#include "campaign/estimate.hpp"
-#include "campaign/eta.hpp"
-#include "campaign/observe.hpp"
-#include "campaign/plan.hpp"
-#include "campaign/result_table.hpp"
-#include "campaign/wording.hpp"
+#include "campaign/core/estimate.hpp"
+#include "campaign/core/eta.hpp"
+#include "campaign/core/plan.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/runner/wording.hpp"
+#include "campaign/store/result_table.hpp"
 
 namespace softwall::campaign {
 namespace {

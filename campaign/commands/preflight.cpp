@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-#include "campaign/observe.hpp"
+#include "campaign/observe/observe.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/file_descriptor.hpp"
 #include "solver/case/programs.hpp"

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "campaign/campaign.hpp"
-#include "campaign/process_launcher.hpp"
+#include "campaign/core/campaign.hpp"
+#include "campaign/launch/process_launcher.hpp"
 
 /// What must be right before anything is changed. Each failure throws BadInput with one clear message.
 namespace softwall::campaign {

@@ -1,13 +1,13 @@
 #include <iostream>
 
-#include "campaign/campaign_lock.hpp"
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/preflight.hpp"
-#include "campaign/process_launcher.hpp"
-#include "campaign/progress.hpp"
-#include "campaign/query.hpp"
-#include "campaign/runner.hpp"
+#include "campaign/launch/process_launcher.hpp"
+#include "campaign/runner/campaign_lock.hpp"
+#include "campaign/runner/progress.hpp"
+#include "campaign/runner/runner.hpp"
+#include "campaign/store/query.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -43,7 +43,7 @@ void print_report(const RunnerReport& report, const std::filesystem::path& folde
     explain(report.unfinished);
     std::cerr << "To go on:  softwall resume " << folder.string() << "\n";
   }
-  std::cerr << "Results store: " << Store::path_in(folder).string() << "\n";
+  std::cerr << "Results store: " << store_path(folder).string() << "\n";
   if (report.finished > 0) std::cerr << "The paper's tables:  softwall table " << folder.string() << "\n";
 }
 

@@ -7,17 +7,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/campaign_lock.hpp"
-#include "campaign/clock.hpp"
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
-#include "campaign/eta.hpp"
-#include "campaign/import_results.hpp"
-#include "campaign/observe.hpp"
-#include "campaign/result_table.hpp"
-#include "campaign/run_reports.hpp"
-#include "campaign/store.hpp"
-#include "campaign/wording.hpp"
+#include "campaign/core/eta.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/observe/run_reports.hpp"
+#include "campaign/runner/campaign_lock.hpp"
+#include "campaign/runner/wording.hpp"
+#include "campaign/store/import_results.hpp"
+#include "campaign/store/result_table.hpp"
+#include "campaign/store/store.hpp"
+#include "campaign/system/clock.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -33,7 +33,7 @@ Snapshot look(const LoadedCampaign& loaded) {
   Snapshot now;
   now.owner = living_owner(loaded.folder);
   now.observations = observe_all(loaded.campaign, loaded.folder);
-  if (std::filesystem::exists(Store::path_in(loaded.folder))) {
+  if (std::filesystem::exists(store_path(loaded.folder))) {
     const Store store = Store::open(loaded.folder, OpenMode::kReadOnly);
     for (Observation& seen : now.observations) seen = with_history(seen, store);
   }

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "campaign/launcher.hpp"
+#include "campaign/launch/launcher.hpp"
 
 namespace softwall::test {
 

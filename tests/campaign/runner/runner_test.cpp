@@ -1,4 +1,4 @@
-#include "campaign/runner.hpp"
+#include "campaign/runner/runner.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,13 @@
 #include <csignal>
 
 #include "analysis/statistics_file.hpp"
-#include "campaign/observe.hpp"
+#include "campaign/observe/observe.hpp"
 #include "solver/case/exit_codes.hpp"
 #include "tests/analysis/samples.hpp"
 #include "tests/campaign/core/examples.hpp"
+#include "tests/campaign/observe/run_directory_files.hpp"
 #include "tests/campaign/runner/fake_launcher.hpp"
-#include "tests/campaign/runner/run_directory_files.hpp"
-#include "tests/campaign/runner/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -208,7 +208,7 @@ TEST_F(RunnerTest, ALostStoreIsMadeAgainFromTheRunDirectories) {
   FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
   run(launcher);
   for (const char* suffix : {"", "-wal", "-shm"}) {
-    std::filesystem::remove(Store::path_in(folder_.path()).string() + suffix);
+    std::filesystem::remove(store_path(folder_.path()).string() + suffix);
   }
   FakeLauncher none([](const LaunchRequest&) { return 1; });
   EXPECT_EQ(run(none).finished, 5U);

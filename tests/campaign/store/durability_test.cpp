@@ -7,10 +7,10 @@
 #include <random>
 #include <thread>
 
-#include "campaign/store_file.hpp"
-#include "tests/campaign/runner/child_process.hpp"
-#include "tests/campaign/runner/temporary_folder.hpp"
+#include "campaign/store/store_file.hpp"
 #include "tests/campaign/store/examples.hpp"
+#include "tests/support/child_process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 /// What was acknowledged is there: after kill -9 at any moment, and when the disk is full.
 namespace softwall::campaign::tests {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "campaign/query.hpp"
-#include "campaign/store.hpp"
+#include "campaign/store/query.hpp"
+#include "campaign/store/store.hpp"
 #include "tests/campaign/core/examples.hpp"
 
 /// A small campaign, a result, and short ways to ask the store, for tests.

@@ -1,4 +1,4 @@
-#include "campaign/store_file.hpp"
+#include "campaign/store/store_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,10 +7,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "campaign/store_schema.hpp"
-#include "tests/campaign/runner/child_process.hpp"
-#include "tests/campaign/runner/temporary_folder.hpp"
+#include "campaign/store/store_schema.hpp"
 #include "tests/campaign/store/examples.hpp"
+#include "tests/support/child_process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign::tests {
 namespace {

@@ -1,16 +1,16 @@
-#include "campaign/store_schema.hpp"
+#include "campaign/store/store_schema.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "campaign/store_documentation.hpp"
-#include "campaign/store_file.hpp"
-#include "campaign/store_words.hpp"
+#include "campaign/core/words.hpp"
+#include "campaign/store/store_documentation.hpp"
+#include "campaign/store/store_file.hpp"
 #include "schemas/embedded.hpp"
-#include "tests/campaign/runner/temporary_folder.hpp"
 #include "tests/campaign/store/examples.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign::tests {
 namespace {

@@ -1,12 +1,13 @@
-#include "campaign/store.hpp"
+#include "campaign/store/store.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/campaign/runner/temporary_folder.hpp"
+#include "campaign/core/words.hpp"
 #include "tests/campaign/store/examples.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign::tests {
 namespace {
@@ -183,7 +184,7 @@ TEST_F(StoreTest, WhatIsNotTheCasesFaultIsNotCounted) {
   for (const AttemptOutcome outcome :
        {AttemptOutcome::kInterrupted, AttemptOutcome::kLost, AttemptOutcome::kNotStarted}) {
     attempt_that_ends_with(outcome, 0);
-    EXPECT_EQ(store.attempts_without_progress(id), 1) << to_string(outcome);
+    EXPECT_EQ(store.attempts_without_progress(id), 1) << word_of(outcome);
   }
   attempt_that_ends_with(AttemptOutcome::kKilled, 0);
   attempt_that_ends_with(AttemptOutcome::kStalled, 0);
@@ -199,8 +200,8 @@ TEST_F(StoreTest, EveryOutcomeHasAWordThatTheTableAccepts) {
   for (int value = 0; value <= static_cast<int>(AttemptOutcome::kFailed); ++value) {
     const auto outcome = static_cast<AttemptOutcome>(value);
     attempt_that_ends_with(outcome, 1);
-    EXPECT_EQ(store.attempt_history(id).back().outcome, to_string(outcome));
-    EXPECT_NE(to_string(outcome), "");
+    EXPECT_EQ(store.attempt_history(id).back().outcome, word_of(outcome));
+    EXPECT_NE(word_of(outcome), "");
   }
 }
 

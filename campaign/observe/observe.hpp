@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "campaign/core/attempt.hpp"
+#include "campaign/core/campaign.hpp"
+#include "solver/case/run_files.hpp"
+
+/// What the run directories say. Only reads.
+namespace softwall::campaign {
+
+/// The run directory of a case in the campaign's folder, absolute.
+[[nodiscard]] RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& campaign_case);
+
+/// True while any process works in the run directory: one that a softwall of this user started, seen or not
+/// by its launcher, or any other that holds the solver's lock.
+[[nodiscard]] bool is_occupied(const RunFiles& run);
+
+/// The state of one case. Checkpoints are looked at by their headers only. `attempts` is the newest attempt
+/// that left a trace; counting failures is the store's business.
+[[nodiscard]] Observation observe(const CampaignCase& campaign_case, const RunFiles& run);
+
+[[nodiscard]] std::vector<Observation> observe_all(const Campaign& campaign,
+                                                   const std::filesystem::path& folder);
+
+/// Why and how an attempt ended that no process works on any more. exit_code: of its launcher, empty when the
+/// runner did not live to see it.
+[[nodiscard]] AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, int attempt,
+                                      std::optional<int> exit_code);
+
+/// Labels are for people, ids are identity: a case whose label has changed keeps the directory it has.
+void keep_existing_directories(Campaign& campaign, const std::filesystem::path& folder);
+
+}  // namespace softwall::campaign
