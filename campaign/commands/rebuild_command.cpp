@@ -4,6 +4,7 @@
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/preflight.hpp"
+#include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/runner/campaign_lock.hpp"
 #include "campaign/store/import_results.hpp"
@@ -34,12 +35,13 @@ ExitStatus rebuild_store(const std::filesystem::path& path) {
   set_old_store_aside(store_path(loaded.folder));
   Store store = Store::open(loaded.folder, OpenMode::kCreate);
   store.record_campaign(loaded.campaign);
+  const auto launcher = make_launcher(loaded.campaign.execution.launcher);
   int results = 0;
   int without = 0;
   for (const CampaignCase& one : loaded.campaign.cases) {
     const RunFiles run = run_files(loaded.folder, one);
-    import_history(store, one, run);
-    if (observe(one, run).state != CaseState::kFinished) continue;
+    import_history(store, one, run, *launcher);
+    if (observe(one, run, *launcher).state != CaseState::kFinished) continue;
     try {
       results += import_result(store, one, run) ? 1 : 0;
     } catch (const SqliteError&) {

@@ -3,7 +3,7 @@
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/preflight.hpp"
-#include "campaign/launch/process_launcher.hpp"
+#include "campaign/launch/make_launcher.hpp"
 #include "campaign/runner/campaign_lock.hpp"
 #include "campaign/runner/progress.hpp"
 #include "campaign/runner/runner.hpp"
@@ -58,8 +58,10 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   const LoadedCampaign loaded = load_campaign(path);
   require_writable(loaded.folder);
   const CampaignLock lock(loaded.folder);
-  const auto programs = find_programs();
-  require_precisions(loaded.campaign, programs.solver);
+  const auto solver = find_solver();
+  require_precisions(loaded.campaign, solver);
+  const auto launcher = make_launcher(loaded.campaign.execution.launcher);
+  launcher->prepare(solver);
   require_disk_space(loaded.campaign, loaded.folder);
 
   RunnerReport report;
@@ -68,13 +70,12 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   {
     Progress progress(loaded.folder / "manager.log");
     Store store = Store::open(loaded.folder, OpenMode::kCreate);
-    ProcessLauncher launcher(programs);
     progress.event(loaded.campaign.name + ": " + count(loaded.campaign.cases.size(), "case") + " in " +
                    loaded.folder.string());
     RunnerOptions runner_options;
     runner_options.stall_seconds = options.stall_minutes * 60;
     report =
-        Runner(loaded.campaign, loaded.folder, {launcher, store, progress, signals}, runner_options).run();
+        Runner(loaded.campaign, loaded.folder, {*launcher, store, progress, signals}, runner_options).run();
   }
   if (report.finished > 0) print_results(loaded.folder);
   print_report(report, loaded.folder, loaded.campaign.name);

@@ -11,6 +11,7 @@
 #include "campaign/commands/commands.hpp"
 #include "campaign/core/eta.hpp"
 #include "campaign/core/words.hpp"
+#include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/runner/campaign_lock.hpp"
@@ -33,7 +34,9 @@ struct Snapshot {
 Snapshot look(const LoadedCampaign& loaded) {
   Snapshot now;
   now.owner = living_owner(loaded.folder);
-  now.observations = observe_all(loaded.campaign, loaded.folder);
+  const Execution& execution = loaded.campaign.execution;
+  const auto launcher = make_launcher(execution.launcher);
+  now.observations = observe_all(loaded.campaign, loaded.folder, *launcher);
   if (std::filesystem::exists(store_path(loaded.folder))) {
     const Store store = Store::open(loaded.folder, OpenMode::kReadOnly);
     for (Observation& seen : now.observations) seen = with_history(seen, store);
@@ -45,10 +48,8 @@ Snapshot look(const LoadedCampaign& loaded) {
       now.working[one.definition.id] = *status;
     }
   }
-  const Execution& execution = loaded.campaign.execution;
-  const int cores =
-      execution.cores > 0 ? execution.cores : static_cast<int>(std::thread::hardware_concurrency());
-  now.seconds_left = remaining_seconds(loaded.campaign, now.observations, now.working, cores);
+  now.seconds_left = remaining_seconds(loaded.campaign, now.observations, now.working,
+                                       cores_to_use(execution.cores, *launcher));
   return now;
 }
 

@@ -27,7 +27,7 @@ const Observation& CaseBook::seen(const CampaignCase& one) const {
 
 void CaseBook::look_at(const CampaignCase& one) {
   const std::string& id = one.definition.id;
-  Observation now = with_history(observe(one, files_of(one)), store_);
+  Observation now = with_history(observe_files(one, files_of(one)), store_);
   now.retry_allowed = now.retry_allowed && !paused_.contains(id) && !given_up_.contains(id);
   observations_[index_of(id)] = now;
 }

@@ -1,5 +1,6 @@
 #include "campaign/store/store_schema.hpp"
 
+#include <array>
 #include <string>
 
 #include "campaign/store/store_documentation.hpp"
@@ -33,7 +34,10 @@ const Migration& step_from(int version, std::span<const Migration> steps, const 
 
 }  // namespace
 
-std::span<const Migration> migrations() { return {}; }
+std::span<const Migration> migrations() {
+  static constexpr std::array<Migration, 1> kSteps = {{{1, schemas::kFrom1Sql}}};
+  return kSteps;
+}
 
 void create_schema(Connection& connection) {
   Transaction transaction(connection);

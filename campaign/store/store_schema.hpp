@@ -7,11 +7,11 @@
 #include "campaign/store/sqlite.hpp"
 
 /// The format of the store and its versions. A change of schemas/results.sql that touches existing stores
-/// raises kSchemaVersion and adds schemas/migrations/<old>.sql with its entry in migrations().
+/// raises kSchemaVersion and adds schemas/migrations/from_<old>.sql with its entry in migrations().
 namespace softwall::campaign {
 
 inline constexpr std::int32_t kApplicationId = 0x73667477;  ///< "sftw", in the header of the file
-inline constexpr int kSchemaVersion = 1;                    ///< user_version, in the header of the file
+inline constexpr int kSchemaVersion = 2;                    ///< user_version, in the header of the file
 
 /// The SQL that turns a store of one format into the next.
 struct Migration {
