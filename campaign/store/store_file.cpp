@@ -38,7 +38,8 @@ bool has_unfinished_change(const path& file) {
 
 /// Made in memory and published whole: a crash leaves no half-made store behind.
 void create(const path& file) {
-  if (has_unfinished_change(file)) {
+  // Asked in this order: a program that has just made the store has its file there before its log.
+  if (has_unfinished_change(file) && !std::filesystem::exists(file)) {
     refuse(file,
            "is gone, but its -wal or -journal file is still there: put it back from a backup, or move those "
            "away too");
