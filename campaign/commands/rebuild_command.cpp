@@ -8,7 +8,7 @@
 #include "campaign/observe/observe.hpp"
 #include "campaign/runner/campaign_lock.hpp"
 #include "campaign/store/import_results.hpp"
-#include "solver/case/build_info.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
 namespace {

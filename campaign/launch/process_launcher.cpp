@@ -22,7 +22,7 @@
 #include "campaign/system/signals.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/file_descriptor.hpp"
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
 namespace {

@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include "campaign/observe/run_reports.hpp"
-#include "solver/case/checkpoint_header.hpp"
-#include "solver/case/exit_codes.hpp"
 #include "solver/case/file_descriptor.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
+#include "solver/run_directory/exit_codes.hpp"
 
 namespace softwall::campaign {
 namespace {

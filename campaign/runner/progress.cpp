@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "campaign/system/clock.hpp"
-#include "solver/case/build_info.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
 namespace {
