@@ -20,5 +20,11 @@ class RunDirectory(unittest.TestCase):
         self.assertEqual([number for number in statuses if not re.search(rf"\| *`?{number}`? *\|", readme)], [])
 
 
+    def test_the_manual_page_of_the_solver_lists_every_exit_status(self):
+        statuses = re.findall(r"^\s*k\w+ = (\d+),", text_of("solver/run_directory/exit_codes.hpp"), re.MULTILINE)
+        page = text_of("solver/softwall-dns.1").partition(".Sh EXIT STATUS")[2]
+        self.assertEqual([number for number in statuses if not re.search(rf"\b{number} ", page)], [])
+
+
 if __name__ == "__main__":
     unittest.main()
