@@ -4,12 +4,12 @@
 #include <iostream>
 #include <map>
 
-#include "campaign/campaign_lock.hpp"
 #include "campaign/commands/commands.hpp"
-#include "campaign/sqlite.hpp"
+#include "campaign/runner/campaign_lock.hpp"
+#include "campaign/store/sqlite.hpp"
 #include "solver/case/bad_input.hpp"
-#include "solver/case/build_info.hpp"
 #include "solver/case/spelling.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 /// softwall: the command line of the campaign manager.
 namespace softwall::campaign {

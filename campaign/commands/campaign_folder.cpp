@@ -1,9 +1,8 @@
 #include "campaign/commands/campaign_folder.hpp"
 
-#include "campaign/expand.hpp"
-#include "campaign/observe.hpp"
-#include "campaign/spec.hpp"
-#include "campaign/store.hpp"
+#include "campaign/core/campaign_file.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/store/store.hpp"
 #include "solver/case/bad_input.hpp"
 
 namespace softwall::campaign {
@@ -37,7 +36,7 @@ fs::path folder_of(const fs::path& path) {
 
 LoadedCampaign load_campaign(const fs::path& path) {
   const fs::path file = campaign_file(path);
-  LoadedCampaign loaded{expand(read_campaign(file)), folder_of(file)};
+  LoadedCampaign loaded{read_campaign(file), folder_of(file)};
   keep_existing_directories(loaded.campaign, loaded.folder);
   return loaded;
 }
@@ -45,8 +44,8 @@ LoadedCampaign load_campaign(const fs::path& path) {
 fs::path folder_with_store(const fs::path& path) {
   const fs::path folder = folder_of(path);
   std::error_code unreadable;
-  if (!fs::exists(Store::path_in(folder), unreadable)) {
-    throw BadInput(path.string(), {{"", "no results store there (" + Store::path_in(folder).string() + ")",
+  if (!fs::exists(store_path(folder), unreadable)) {
+    throw BadInput(path.string(), {{"", "no results store there (" + store_path(folder).string() + ")",
                                     "the folder of a campaign that has been run"}});
   }
   return folder;

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "campaign/campaign.hpp"
+#include "campaign/core/campaign.hpp"
 
 namespace softwall::campaign {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "campaign/campaign.hpp"
 #include "campaign/commands/exit_status.hpp"
+#include "campaign/core/campaign.hpp"
 
 /// The commands of softwall, one file each. Results go to standard output, messages to standard error.
 /// A path is a campaign file or its folder. All throw BadInput for what cannot be used.

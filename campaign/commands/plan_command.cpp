@@ -5,12 +5,13 @@
 
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
-#include "campaign/estimate.hpp"
-#include "campaign/eta.hpp"
-#include "campaign/observe.hpp"
-#include "campaign/plan.hpp"
-#include "campaign/result_table.hpp"
-#include "campaign/wording.hpp"
+#include "campaign/core/estimate.hpp"
+#include "campaign/core/eta.hpp"
+#include "campaign/core/plan.hpp"
+#include "campaign/launch/make_launcher.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/runner/wording.hpp"
+#include "campaign/store/result_table.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -22,7 +23,8 @@ struct PlannedCase {
 };
 
 std::vector<PlannedCase> plan_all(const LoadedCampaign& loaded) {
-  const auto observations = observe_all(loaded.campaign, loaded.folder);
+  const auto launcher = make_launcher(loaded.campaign.execution.launcher);
+  const auto observations = observe_all(loaded.campaign, loaded.folder, *launcher);
   const auto decisions = decide(loaded.campaign, observations);
   std::vector<PlannedCase> planned;
   for (std::size_t i = 0; i < loaded.campaign.cases.size(); ++i) {

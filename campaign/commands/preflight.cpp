@@ -8,13 +8,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <sstream>
 #include <string>
 
-#include "campaign/observe.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/system/find_program.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/file_descriptor.hpp"
-#include "solver/case/programs.hpp"
+#include "solver/run_directory/checkpoint_size.hpp"
+#include "solver/run_directory/programs.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -25,10 +26,13 @@ namespace fs = std::filesystem;
   throw BadInput(where, {{"", given, allowed}});
 }
 
-bool is_program(const fs::path& file) {
-  std::error_code unreadable;
-  return fs::is_regular_file(file, unreadable) && access(file.c_str(), X_OK) == 0;
+std::string gigabytes(double bytes) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g GB", bytes / 1e9);
+  return text.data();
 }
+
+}  // namespace
 
 fs::path find_solver() {
   if (const char* chosen = std::getenv("SOFTWALL_DNS"); chosen != nullptr && *chosen != '\0') {
@@ -42,33 +46,6 @@ fs::path find_solver() {
   }
   return beside;
 }
-
-fs::path find_on_path(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path != nullptr ? path : "/usr/bin:/bin");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const fs::path file = fs::absolute(fs::path(folder) / name);
-    if (is_program(file)) return file;
-  }
-  refuse(name, "not found on the PATH", "Open MPI (on Debian: apt install openmpi-bin)");
-}
-
-std::string gigabytes(double bytes) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g GB", bytes / 1e9);
-  return text.data();
-}
-
-/// Velocity and pressure; with a solid also phi and the six components of B.
-double checkpoint_bytes(const Physics& physics) {
-  const double cells = static_cast<double>(physics.grid.nx) * physics.grid.ny() * physics.grid.nz;
-  const std::size_t bytes = physics.precision == Precision::kSingle ? sizeof(float) : sizeof(double);
-  return cells * static_cast<double>(bytes) * (physics.solid ? 11 : 4);
-}
-
-}  // namespace
-
-ProcessLauncher::Programs find_programs() { return {find_on_path("mpirun"), find_solver()}; }
 
 void require_precisions(const Campaign& campaign, const fs::path& solver) {
   const fs::path folder = fs::canonical(solver).parent_path();
@@ -92,10 +69,11 @@ void require_writable(const fs::path& folder) {
 void require_disk_space(const Campaign& campaign, const fs::path& folder) {
   double needed = 0;
   for (const CampaignCase& one : campaign.cases) {
-    const Observation seen = observe(one, run_files(folder, one));
+    const Observation seen = observe_files(one, run_files(folder, one));
     if (seen.newest_checkpoint || seen.state == CaseState::kFinished) continue;  // its share is already there
     // One more than is kept: the oldest goes only when the newest is complete.
-    needed += checkpoint_bytes(one.definition.physics) * (one.definition.run.keep_checkpoints + 1);
+    needed += static_cast<double>(checkpoint_field_bytes(one.definition.physics)) *
+              (one.definition.run.keep_checkpoints + 1);
   }
   const double available = static_cast<double>(fs::space(folder).available);
   if (needed > available) {

@@ -2,14 +2,13 @@
 
 #include <filesystem>
 
-#include "campaign/campaign.hpp"
-#include "campaign/process_launcher.hpp"
+#include "campaign/core/campaign.hpp"
 
 /// What must be right before anything is changed. Each failure throws BadInput with one clear message.
 namespace softwall::campaign {
 
-/// softwall-dns: $SOFTWALL_DNS, or beside softwall itself; mpirun: on the PATH.
-[[nodiscard]] ProcessLauncher::Programs find_programs();
+/// softwall-dns: $SOFTWALL_DNS, or beside softwall itself.
+[[nodiscard]] std::filesystem::path find_solver();
 
 /// The solver of every precision that the campaign's cases ask for stands beside `solver`.
 void require_precisions(const Campaign& campaign, const std::filesystem::path& solver);

@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <iostream>
 
-#include "campaign/campaign_lock.hpp"
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/preflight.hpp"
-#include "campaign/import_results.hpp"
-#include "campaign/observe.hpp"
-#include "solver/case/build_info.hpp"
+#include "campaign/launch/make_launcher.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/runner/campaign_lock.hpp"
+#include "campaign/store/import_results.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -31,15 +32,16 @@ ExitStatus rebuild_store(const std::filesystem::path& path) {
   const LoadedCampaign loaded = load_campaign(path);
   require_writable(loaded.folder);
   const CampaignLock lock(loaded.folder);
-  set_old_store_aside(Store::path_in(loaded.folder));
+  set_old_store_aside(store_path(loaded.folder));
   Store store = Store::open(loaded.folder, OpenMode::kCreate);
   store.record_campaign(loaded.campaign);
+  const auto launcher = make_launcher(loaded.campaign.execution.launcher);
   int results = 0;
   int without = 0;
   for (const CampaignCase& one : loaded.campaign.cases) {
     const RunFiles run = run_files(loaded.folder, one);
-    import_history(store, one, run);
-    if (observe(one, run).state != CaseState::kFinished) continue;
+    import_history(store, one, run, *launcher);
+    if (observe(one, run, *launcher).state != CaseState::kFinished) continue;
     try {
       results += import_result(store, one, run) ? 1 : 0;
     } catch (const SqliteError&) {
@@ -49,7 +51,7 @@ ExitStatus rebuild_store(const std::filesystem::path& path) {
       std::cerr << one.definition.label << ": no result: " << error.what() << "\n";
     }
   }
-  std::cerr << "Made " << Store::path_in(loaded.folder).string()
+  std::cerr << "Made " << store_path(loaded.folder).string()
             << " from the run directories: " << loaded.campaign.cases.size() << " cases, " << results
             << " results.\n";
   return without == 0 ? ExitStatus::kDone : ExitStatus::kFailedCases;

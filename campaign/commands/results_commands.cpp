@@ -3,10 +3,10 @@
 
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
-#include "campaign/paper_tables.hpp"
-#include "campaign/query.hpp"
-#include "campaign/sqlite.hpp"
-#include "campaign/store.hpp"
+#include "campaign/store/query.hpp"
+#include "campaign/store/sqlite.hpp"
+#include "campaign/store/store.hpp"
+#include "campaign/tables/paper_tables.hpp"
 #include "solver/case/atomic_file.hpp"
 #include "solver/case/bad_input.hpp"
 

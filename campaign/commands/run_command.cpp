@@ -1,13 +1,13 @@
 #include <iostream>
 
-#include "campaign/campaign_lock.hpp"
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/preflight.hpp"
-#include "campaign/process_launcher.hpp"
-#include "campaign/progress.hpp"
-#include "campaign/query.hpp"
-#include "campaign/runner.hpp"
+#include "campaign/launch/make_launcher.hpp"
+#include "campaign/runner/campaign_lock.hpp"
+#include "campaign/runner/progress.hpp"
+#include "campaign/runner/runner.hpp"
+#include "campaign/store/query.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -43,7 +43,7 @@ void print_report(const RunnerReport& report, const std::filesystem::path& folde
     explain(report.unfinished);
     std::cerr << "To go on:  softwall resume " << folder.string() << "\n";
   }
-  std::cerr << "Results store: " << Store::path_in(folder).string() << "\n";
+  std::cerr << "Results store: " << store_path(folder).string() << "\n";
   if (report.finished > 0) std::cerr << "The paper's tables:  softwall table " << folder.string() << "\n";
 }
 
@@ -58,8 +58,10 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   const LoadedCampaign loaded = load_campaign(path);
   require_writable(loaded.folder);
   const CampaignLock lock(loaded.folder);
-  const auto programs = find_programs();
-  require_precisions(loaded.campaign, programs.solver);
+  const auto solver = find_solver();
+  require_precisions(loaded.campaign, solver);
+  const auto launcher = make_launcher(loaded.campaign.execution.launcher);
+  launcher->prepare(solver);
   require_disk_space(loaded.campaign, loaded.folder);
 
   RunnerReport report;
@@ -68,13 +70,12 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   {
     Progress progress(loaded.folder / "manager.log");
     Store store = Store::open(loaded.folder, OpenMode::kCreate);
-    ProcessLauncher launcher(programs);
     progress.event(loaded.campaign.name + ": " + count(loaded.campaign.cases.size(), "case") + " in " +
                    loaded.folder.string());
     RunnerOptions runner_options;
     runner_options.stall_seconds = options.stall_minutes * 60;
     report =
-        Runner(loaded.campaign, loaded.folder, {launcher, store, progress, signals}, runner_options).run();
+        Runner(loaded.campaign, loaded.folder, {*launcher, store, progress, signals}, runner_options).run();
   }
   if (report.finished > 0) print_results(loaded.folder);
   print_report(report, loaded.folder, loaded.campaign.name);

@@ -7,17 +7,19 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/campaign_lock.hpp"
-#include "campaign/clock.hpp"
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
-#include "campaign/eta.hpp"
-#include "campaign/import_results.hpp"
-#include "campaign/observe.hpp"
-#include "campaign/result_table.hpp"
-#include "campaign/run_reports.hpp"
-#include "campaign/store.hpp"
-#include "campaign/wording.hpp"
+#include "campaign/core/eta.hpp"
+#include "campaign/core/words.hpp"
+#include "campaign/launch/make_launcher.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/observe/run_reports.hpp"
+#include "campaign/runner/campaign_lock.hpp"
+#include "campaign/runner/wording.hpp"
+#include "campaign/store/import_results.hpp"
+#include "campaign/store/result_table.hpp"
+#include "campaign/store/store.hpp"
+#include "campaign/system/clock.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -32,8 +34,10 @@ struct Snapshot {
 Snapshot look(const LoadedCampaign& loaded) {
   Snapshot now;
   now.owner = living_owner(loaded.folder);
-  now.observations = observe_all(loaded.campaign, loaded.folder);
-  if (std::filesystem::exists(Store::path_in(loaded.folder))) {
+  const Execution& execution = loaded.campaign.execution;
+  const auto launcher = make_launcher(execution.launcher);
+  now.observations = observe_all(loaded.campaign, loaded.folder, *launcher);
+  if (std::filesystem::exists(store_path(loaded.folder))) {
     const Store store = Store::open(loaded.folder, OpenMode::kReadOnly);
     for (Observation& seen : now.observations) seen = with_history(seen, store);
   }
@@ -44,29 +48,9 @@ Snapshot look(const LoadedCampaign& loaded) {
       now.working[one.definition.id] = *status;
     }
   }
-  const Execution& execution = loaded.campaign.execution;
-  const int cores =
-      execution.cores > 0 ? execution.cores : static_cast<int>(std::thread::hardware_concurrency());
-  now.seconds_left = remaining_seconds(loaded.campaign, now.observations, now.working, cores);
+  now.seconds_left = remaining_seconds(loaded.campaign, now.observations, now.working,
+                                       cores_to_use(execution.cores, *launcher));
   return now;
-}
-
-std::string word_for(CaseState state) {
-  switch (state) {
-    case CaseState::kNew:
-      return "new";
-    case CaseState::kRunning:
-      return "running";
-    case CaseState::kFinished:
-      return "finished";
-    case CaseState::kInterrupted:
-      return "interrupted";
-    case CaseState::kDiverged:
-      return "diverged";
-    case CaseState::kFailed:
-      return "failed";
-  }
-  return "?";
 }
 
 /// Time and step that a case has reached, by its checkpoints or, while it works, by its own report.
@@ -85,7 +69,7 @@ void print_json(const LoadedCampaign& loaded, const Snapshot& now) {
     cases.push_back({{"label", one.definition.label},
                      {"case_id", one.definition.id},
                      {"directory", one.directory},
-                     {"state", word_for(seen.state)},
+                     {"state", std::string(word_of(seen.state))},
                      {"reason", seen.reason},
                      {"time", time},
                      {"end_time", seen.end_time},
@@ -106,10 +90,10 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now) {
   for (std::size_t i = 0; i < now.observations.size(); ++i) {
     const Observation& seen = now.observations[i];
     const auto [time, step] = reached(now, seen);
-    table.rows.push_back({loaded.campaign.cases[i].definition.label, word_for(seen.state), short_number(time),
-                          short_number(seen.end_time), static_cast<std::int64_t>(100 * time / seen.end_time),
-                          step, std::int64_t{seen.attempts},
-                          seen.state == CaseState::kFinished ? std::string() : seen.reason});
+    table.rows.push_back(
+        {loaded.campaign.cases[i].definition.label, std::string(word_of(seen.state)), short_number(time),
+         short_number(seen.end_time), static_cast<std::int64_t>(100 * time / seen.end_time), step,
+         std::int64_t{seen.attempts}, seen.state == CaseState::kFinished ? std::string() : seen.reason});
   }
   write_table(std::cout, table, TableFormat::kText);
   std::cout << "\n"

@@ -1,4 +1,4 @@
-#include "campaign/estimate.hpp"
+#include "campaign/core/estimate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "campaign/expand.hpp"
+#include "campaign/core/expand.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "campaign/label.hpp"
+#include "campaign/core/label.hpp"
 
 #include <gtest/gtest.h>
 

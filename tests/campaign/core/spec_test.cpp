@@ -1,4 +1,4 @@
-#include "campaign/spec.hpp"
+#include "campaign/core/spec.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,8 @@ namespace {
 using nlohmann::json;
 using tests::complaint_about;
 using tests::elastic_campaign;
-using tests::spec_of;
+
+CampaignSpec spec_of(const json& document) { return check_spec(document.dump(), "campaign").spec; }
 
 TEST(Spec, FillsWhatIsItsOwn) {
   const CampaignSpec spec = spec_of(elastic_campaign());
@@ -95,7 +96,7 @@ TEST(Spec, DamagedTextGivesOneMessage) {
       if (damaged.empty()) damaged = "x";
     }
     try {
-      EXPECT_FALSE(expand(parse_campaign(damaged)).cases.empty());
+      EXPECT_FALSE(parse_campaign(damaged).cases.empty());
     } catch (const BadInput& error) {
       EXPECT_FALSE(error.mistakes.empty());
     }

@@ -1,8 +1,8 @@
-#include "campaign/sweep.hpp"
+#include "campaign/core/sweep.hpp"
 
 #include <gtest/gtest.h>
 
-#include "campaign/parameters.hpp"
+#include "campaign/core/parameters.hpp"
 #include "tests/campaign/core/examples.hpp"
 
 namespace softwall::campaign {

@@ -1,4 +1,4 @@
-#include "campaign/runner.hpp"
+#include "campaign/runner/runner.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,14 +6,15 @@
 #include <chrono>
 #include <csignal>
 
-#include "analysis/statistics_file.hpp"
-#include "campaign/observe.hpp"
-#include "solver/case/exit_codes.hpp"
+#include "campaign/observe/observe.hpp"
+#include "solver/run_directory/exit_codes.hpp"
+#include "solver/run_directory/statistics_file.hpp"
 #include "tests/analysis/samples.hpp"
 #include "tests/campaign/core/examples.hpp"
+#include "tests/campaign/observe/run_directory_files.hpp"
 #include "tests/campaign/runner/fake_launcher.hpp"
-#include "tests/campaign/runner/run_directory_files.hpp"
-#include "tests/campaign/runner/temporary_folder.hpp"
+#include "tests/campaign/store/examples.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -48,7 +49,7 @@ class RunnerTest : public ::testing::Test {
     return kDone;
   }
 
-  RunnerReport run(FakeLauncher& launcher, RunnerOptions options = {}) {
+  RunnerReport run(Launcher& launcher, RunnerOptions options = {}) {
     options.poll = std::chrono::milliseconds(1);
     Signals signals;
     Progress progress("");
@@ -208,7 +209,7 @@ TEST_F(RunnerTest, ALostStoreIsMadeAgainFromTheRunDirectories) {
   FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
   run(launcher);
   for (const char* suffix : {"", "-wal", "-shm"}) {
-    std::filesystem::remove(Store::path_in(folder_.path()).string() + suffix);
+    std::filesystem::remove(store_path(folder_.path()).string() + suffix);
   }
   FakeLauncher none([](const LaunchRequest&) { return 1; });
   EXPECT_EQ(run(none).finished, 5U);
@@ -245,17 +246,17 @@ TEST_F(RunnerTest, FinishedWithoutStatisticsIsTold) {
 }
 
 /// An attempt that never makes a step and ends only when it is killed.
-class HangingLauncher final : public Launcher {
+class HangingLauncher final : public test::LauncherWithoutMemory {
  public:
-  ProcessIdentity start(const LaunchRequest& request) override {
+  Handle start(const LaunchRequest& request) override {
     running_.push_back(request.case_id);
-    return this_process();
+    return request.case_id;
   }
   std::vector<EndedAttempt> collect() override { return std::exchange(ended_, {}); }
-  void stop(const std::string& case_id, StopLevel level) override {
+  void stop(const std::filesystem::path&, const Handle& handle, StopLevel level) override {
     asked.push_back(level);
-    if (level != StopLevel::kKill || std::erase(running_, case_id) == 0) return;
-    ended_.push_back({case_id, 137});
+    if (level != StopLevel::kKill || std::erase(running_, handle) == 0) return;
+    ended_.push_back({handle, 137});
   }
   [[nodiscard]] bool idle() const override { return running_.empty() && ended_.empty(); }
   std::vector<StopLevel> asked;
@@ -277,9 +278,9 @@ TEST_F(RunnerTest, AHangingAttemptIsEndedMoreAndMoreFirmlyAndCountedAsStalled) {
   const auto report =
       Runner(campaign_, folder_.path(), {launcher, results, progress, signals}, options).run();
   EXPECT_EQ(report.failed.size(), 5U);
-  const auto history = results.attempt_history(id(0));
-  ASSERT_EQ(history.size(), 2U);
-  EXPECT_EQ(history[0].outcome, "stalled");
+  EXPECT_EQ(
+      tests::answer(results, "SELECT group_concat(outcome) FROM attempts WHERE case_id = '" + id(0) + "'"),
+      "stalled,stalled");
   const std::vector<StopLevel> ladder = {StopLevel::kCheckpoint, StopLevel::kTerminate, StopLevel::kKill};
   EXPECT_EQ(std::vector(launcher.asked.begin(), launcher.asked.begin() + 3), ladder);
 }

@@ -1,4 +1,4 @@
-#include "campaign/result_table.hpp"
+#include "campaign/store/result_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "campaign/text_width.hpp"
+#include "campaign/store/text_width.hpp"
 
 namespace softwall::campaign::tests {
 namespace {

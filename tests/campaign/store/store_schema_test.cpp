@@ -1,16 +1,18 @@
-#include "campaign/store_schema.hpp"
+#include "campaign/store/store_schema.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
+#include <sstream>
 
-#include "campaign/store_documentation.hpp"
-#include "campaign/store_file.hpp"
-#include "campaign/store_words.hpp"
+#include "campaign/core/words.hpp"
+#include "campaign/store/store_documentation.hpp"
+#include "campaign/store/store_file.hpp"
 #include "schemas/embedded.hpp"
-#include "tests/campaign/runner/temporary_folder.hpp"
 #include "tests/campaign/store/examples.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign::tests {
 namespace {
@@ -147,6 +149,37 @@ TEST(Migration, AFailedStepLeavesTheOldFormat) {
   EXPECT_EQ(connection.integer("PRAGMA user_version"), kSchemaVersion);
   EXPECT_EQ(connection.integer("SELECT count(*) FROM pragma_table_info('campaign') WHERE name = 'first'"), 0);
   EXPECT_THAT(refusal([&] { migrate(connection, {}, kSchemaVersion + 1); }), HasSubstr("no way is known"));
+}
+
+/// A store as softwall 0.1.0 made it, with one attempt at work.
+Connection store_of_format_1() {
+  std::ostringstream sql;
+  sql << std::ifstream(SOFTWALL_STORE_TESTS "/results_format_1.sql").rdbuf();
+  Connection connection = Connection::open_in_memory();
+  connection.execute(sql.str());
+  connection.execute("PRAGMA application_id = " + std::to_string(kApplicationId) +
+                     "; PRAGMA user_version = 1");
+  connection.execute(
+      "INSERT INTO cases (case_id, label, directory, is_precursor, flow, reynolds, grid, cells, end_time, "
+      "ranks,"
+      " physics, run, state_since, created) VALUES ('c', 'l', 'd', 0, 'f', 1, 'g', 1, 1, 1, '{}', '{}', 'n', "
+      "'n');"
+      "INSERT INTO attempts (case_id, attempt, intended, started, pid, host, ranks)"
+      " VALUES ('c', 1, 'i', 's', 4711, 'node', 2)");
+  return connection;
+}
+
+TEST(Migration, AStoreOfTheFirstFormatBecomesOneOfToday) {
+  Connection old = store_of_format_1(), today = Connection::open_in_memory();
+  create_schema(today);
+  migrate(old, migrations(), kSchemaVersion);
+  const char* columns =
+      "SELECT s.name || '.' || c.name || ' ' || c.type FROM sqlite_schema s, pragma_table_xinfo(s.name) c"
+      " WHERE s.type IN ('table', 'view') ORDER BY s.name, c.cid";
+  EXPECT_THAT(column_of(old, columns), ElementsAreArray(column_of(today, columns)));
+  EXPECT_THAT(column_of(old, "SELECT handle FROM attempts"),
+              ElementsAreArray({R"({"host":"node","pid":4711})"}));
+  EXPECT_EQ(old.integer("SELECT count(*) FROM timeline"), 2);
 }
 
 TEST(Migration, AStepExistsFromEveryFormerFormat) {
