@@ -9,11 +9,14 @@
 #include "campaign/store/sqlite.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/build_info.hpp"
+#include "solver/case/option_number.hpp"
 #include "solver/case/spelling.hpp"
 
 /// softwall: the command line of the campaign manager.
 namespace softwall::campaign {
 namespace {
+
+constexpr double kLongestStallMinutes = 1e6;  // two years
 
 /// What was given after the name of a command.
 struct Arguments {
@@ -57,7 +60,11 @@ CommandLine::CommandLine() {
     command
         ->add_option("--stall-minutes", arguments_.run.stall_minutes,
                      "End an attempt that makes no step for this long")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+              return trouble_with_number(text, {.low_allowed = false, .high = kLongestStallMinutes});
+            },
+            ""))
         ->capture_default_str();
   }
   CLI::App* plan = add("plan", "Show what run would do, and what it would cost",

@@ -60,8 +60,8 @@ void print_text(const LoadedCampaign& loaded, const std::vector<PlannedCase>& pl
     ++counts[to_string(decision.outlook)];
     core_hours += cost.core_hours;
     table.rows.push_back({one->definition.label, to_string(decision.outlook), decision.reason,
-                          std::int64_t{one->ranks}, static_cast<std::int64_t>(cost.cells),
-                          static_cast<std::int64_t>(cost.steps), short_number(cost.core_hours)});
+                          std::int64_t{one->ranks}, whole_number(cost.cells), whole_number(cost.steps),
+                          short_number(cost.core_hours)});
   }
   write_table(std::cout, table, TableFormat::kText);
   std::cout << "\n" << loaded.campaign.name << ": " << planned.size() << " cases";

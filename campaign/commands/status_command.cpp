@@ -18,6 +18,7 @@
 #include "campaign/store/result_table.hpp"
 #include "campaign/store/store.hpp"
 #include "campaign/system/clock.hpp"
+#include "solver/case/time_comparison.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -106,10 +107,10 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now) {
   for (std::size_t i = 0; i < now.observations.size(); ++i) {
     const Observation& seen = now.observations[i];
     const auto [time, step] = reached(now, seen);
-    table.rows.push_back({loaded.campaign.cases[i].definition.label, word_for(seen.state), short_number(time),
-                          short_number(seen.end_time), static_cast<std::int64_t>(100 * time / seen.end_time),
-                          step, std::int64_t{seen.attempts},
-                          seen.state == CaseState::kFinished ? std::string() : seen.reason});
+    table.rows.push_back(
+        {loaded.campaign.cases[i].definition.label, word_for(seen.state), short_number(time),
+         short_number(seen.end_time), static_cast<std::int64_t>(percent_done(time, seen.end_time)), step,
+         std::int64_t{seen.attempts}, seen.state == CaseState::kFinished ? std::string() : seen.reason});
   }
   write_table(std::cout, table, TableFormat::kText);
   std::cout << "\n"

@@ -120,6 +120,12 @@ void write_json(std::ostream& out, const ResultTable& table) {
 
 }  // namespace
 
+Cell whole_number(double value) {
+  constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
+  if (std::abs(value) <= kExactIntegers) return static_cast<std::int64_t>(value);
+  return value;
+}
+
 void write_table(std::ostream& out, const ResultTable& table, TableFormat format) {
   switch (format) {
     case TableFormat::kText:

@@ -12,6 +12,9 @@ namespace softwall::campaign {
 /// monostate: NULL.
 using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
 
+/// A number without a fraction, such as steps or cells, as a cell: an integer where one can hold it.
+[[nodiscard]] Cell whole_number(double value);
+
 struct ResultTable {
   std::vector<std::string> columns;
   std::vector<std::vector<Cell>> rows;  ///< each as long as columns
