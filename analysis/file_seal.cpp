@@ -2,9 +2,8 @@
 
 #include <xxhash.h>
 
-#include <array>
-#include <cinttypes>
-#include <cstdio>
+#include "solver/case/hexadecimal.hpp"
+
 #include <stdexcept>
 
 namespace softwall::analysis {
@@ -15,10 +14,8 @@ constexpr std::string_view kFirstLine = "softwall statistics, format 1, HDF5 fol
 }  // namespace
 
 std::string seal_for(std::string_view contents) {
-  std::array<char, kSealBytes> line{};
-  std::snprintf(line.data(), line.size(), "bytes %zu\nxxh3 %016" PRIx64 "\n", contents.size(),
-                static_cast<std::uint64_t>(XXH3_64bits(contents.data(), contents.size())));
-  std::string seal = std::string(kFirstLine) + line.data();
+  std::string seal = std::string(kFirstLine) + "bytes " + std::to_string(contents.size()) + "\nxxh3 " +
+                     hexadecimal(XXH3_64bits(contents.data(), contents.size())) + "\n";
   seal.resize(kSealBytes - 1, ' ');
   return seal + '\n';
 }

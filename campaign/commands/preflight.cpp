@@ -13,6 +13,7 @@
 
 #include "campaign/observe/observe.hpp"
 #include "solver/case/bad_input.hpp"
+#include "solver/case/checkpoint_size.hpp"
 #include "solver/case/file_descriptor.hpp"
 #include "solver/case/programs.hpp"
 
@@ -59,13 +60,6 @@ std::string gigabytes(double bytes) {
   return text.data();
 }
 
-/// Velocity and pressure; with a solid also phi and the six components of B.
-double checkpoint_bytes(const Physics& physics) {
-  const double cells = static_cast<double>(physics.grid.nx) * physics.grid.ny() * physics.grid.nz;
-  const std::size_t bytes = physics.precision == Precision::kSingle ? sizeof(float) : sizeof(double);
-  return cells * static_cast<double>(bytes) * (physics.solid ? 11 : 4);
-}
-
 }  // namespace
 
 ProcessLauncher::Programs find_programs() { return {find_on_path("mpirun"), find_solver()}; }
@@ -95,7 +89,8 @@ void require_disk_space(const Campaign& campaign, const fs::path& folder) {
     const Observation seen = observe(one, run_files(folder, one));
     if (seen.newest_checkpoint || seen.state == CaseState::kFinished) continue;  // its share is already there
     // One more than is kept: the oldest goes only when the newest is complete.
-    needed += checkpoint_bytes(one.definition.physics) * (one.definition.run.keep_checkpoints + 1);
+    needed += static_cast<double>(checkpoint_field_bytes(one.definition.physics)) *
+              (one.definition.run.keep_checkpoints + 1);
   }
   const double available = static_cast<double>(fs::space(folder).available);
   if (needed > available) {

@@ -10,6 +10,7 @@
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/core/eta.hpp"
+#include "campaign/core/words.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/runner/campaign_lock.hpp"
@@ -52,24 +53,6 @@ Snapshot look(const LoadedCampaign& loaded) {
   return now;
 }
 
-std::string word_for(CaseState state) {
-  switch (state) {
-    case CaseState::kNew:
-      return "new";
-    case CaseState::kRunning:
-      return "running";
-    case CaseState::kFinished:
-      return "finished";
-    case CaseState::kInterrupted:
-      return "interrupted";
-    case CaseState::kDiverged:
-      return "diverged";
-    case CaseState::kFailed:
-      return "failed";
-  }
-  return "?";
-}
-
 /// Time and step that a case has reached, by its checkpoints or, while it works, by its own report.
 std::pair<double, std::int64_t> reached(const Snapshot& now, const Observation& seen) {
   const auto status = now.working.find(seen.case_id);
@@ -86,7 +69,7 @@ void print_json(const LoadedCampaign& loaded, const Snapshot& now) {
     cases.push_back({{"label", one.definition.label},
                      {"case_id", one.definition.id},
                      {"directory", one.directory},
-                     {"state", word_for(seen.state)},
+                     {"state", std::string(word_of(seen.state))},
                      {"reason", seen.reason},
                      {"time", time},
                      {"end_time", seen.end_time},
@@ -108,18 +91,22 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now) {
     const Observation& seen = now.observations[i];
     const auto [time, step] = reached(now, seen);
     table.rows.push_back(
-        {loaded.campaign.cases[i].definition.label, word_for(seen.state), short_number(time),
-         short_number(seen.end_time), static_cast<std::int64_t>(percent_done(time, seen.end_time)), step,
-         std::int64_t{seen.attempts}, seen.state == CaseState::kFinished ? std::string() : seen.reason});
-  }
-  write_table(std::cout, table, TableFormat::kText);
-  std::cout << "\n"
-            << describe_progress(loaded.campaign, now.observations, now.working, now.seconds_left) << "\n";
-  if (now.owner) {
-    std::cout << "Run by " << *now.owner << "." << std::endl;
-  } else if (now.seconds_left > 0) {
-    std::cout << "Nobody runs it now. To go on:  softwall resume " << loaded.folder.string() << std::endl;
-  }
+    table.rows.push_back({loaded.campaign.cases[i].definition.label, std::string(word_of(seen.state)),
+                          short_number(time), short_number(seen.end_time),
+                          static_cast<std::int64_t>(percent_done(time, seen.end_time)), step,
+                          std::int64_t{seen.attempts},
+                          seen.state == CaseState::kFinished ? std::string() : seen.reason});
+         std::int64_t{seen.attempts}, seen.state == CaseState::kFinished ? std::string() : seen.reason
+  });
+}
+write_table(std::cout, table, TableFormat::kText);
+std::cout << "\n"
+          << describe_progress(loaded.campaign, now.observations, now.working, now.seconds_left) << "\n";
+if (now.owner) {
+  std::cout << "Run by " << *now.owner << "." << std::endl;
+} else if (now.seconds_left > 0) {
+  std::cout << "Nobody runs it now. To go on:  softwall resume " << loaded.folder.string() << std::endl;
+}
 }
 
 }  // namespace

@@ -4,12 +4,13 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <stdexcept>
 #include <string>
 
 #include <xxhash.h>
+
+#include "solver/case/hexadecimal.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -24,11 +25,7 @@ std::filesystem::path temporary_root() {
 
 std::string name_for(const std::filesystem::path& run_directory) {
   const std::string path = std::filesystem::weakly_canonical(run_directory);
-  std::string name(40, '\0');
-  const int length = std::snprintf(name.data(), name.size(), "softwall-%u-%016llx", getuid(),
-                                   static_cast<unsigned long long>(XXH3_64bits(path.data(), path.size())));
-  name.resize(static_cast<std::size_t>(length));
-  return name;
+  return "softwall-" + std::to_string(getuid()) + "-" + hexadecimal(XXH3_64bits(path.data(), path.size()));
 }
 
 void make_private(const std::filesystem::path& directory) {

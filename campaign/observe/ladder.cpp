@@ -1,9 +1,9 @@
 #include "campaign/observe/ladder.hpp"
 
-#include <cstdio>
 #include <stdexcept>
 
 #include "solver/case/atomic_file.hpp"
+#include "solver/case/hexadecimal.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -14,13 +14,6 @@ std::filesystem::path free_name_for_bad(const std::filesystem::path& file) {
   return name;
 }
 
-std::string digits_of(std::uint64_t digest) {
-  std::string digits(17, '\0');
-  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(digest));
-  digits.pop_back();
-  return digits;
-}
-
 CheckpointRecord record_of(const RunFiles& run, const std::filesystem::path& file) {
   CheckpointRecord record;
   record.path = file.lexically_relative(run.directory);
@@ -29,7 +22,7 @@ CheckpointRecord record_of(const RunFiles& run, const std::filesystem::path& fil
     record.step = header.step;
     record.time = header.time;
     record.bytes = header.bytes;
-    record.digest = digits_of(header.xxh3);
+    record.digest = hexadecimal(header.xxh3);
     record.valid = true;
   } catch (const std::runtime_error& error) {
     record.reason = error.what();

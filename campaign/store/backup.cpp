@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "campaign/system/file_system.hpp"
+#include "solver/case/atomic_file.hpp"
 
 namespace softwall::campaign {
 
@@ -35,7 +35,8 @@ void backup_connection(Connection& connection, const std::filesystem::path& dest
   if (bytes == nullptr) copy.fail("cannot back up", SQLITE_NOMEM);
   // The header says "write-ahead log" when the source used one; a lone file must not need its companions.
   if (size > 19) bytes.get()[18] = bytes.get()[19] = 1;
-  if (!publish_new_file(destination, bytes.get(), static_cast<std::size_t>(size))) {
+  if (!write_new_atomically(destination,
+                            {reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)})) {
     throw SqliteError(destination.string() + ": exists already; a backup replaces no file", 0);
   }
 }

@@ -14,7 +14,7 @@ namespace softwall::campaign {
 namespace {
 
 void close_open_attempts(Store& store, const CampaignCase& one, const RunFiles& run) {
-  for (const AttemptRecord& open : store.open_attempts()) {
+  for (const OpenAttempt& open : store.open_attempts()) {
     if (open.case_id != one.definition.id) continue;
     store.end_attempt(open.case_id, open.attempt, describe_end(one, run, open.attempt, std::nullopt));
   }

@@ -118,12 +118,6 @@ void Store::record_campaign(const Campaign& campaign) {
   transaction.commit();
 }
 
-void Store::record_case(const CampaignCase& campaign_case) {
-  Transaction transaction(connection_);
-  write_case(connection_, campaign_case);
-  transaction.commit();
-}
-
 void Store::set_state(const std::string& case_id, CaseState state, const std::string& reason) {
   Transaction transaction(connection_);
   write_state(connection_, case_id, state, reason);

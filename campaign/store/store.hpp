@@ -31,17 +31,10 @@ struct CaseRecord {
   int attempts_without_progress = 0;  ///< see Store::attempts_without_progress
 };
 
-struct AttemptRecord {
+/// An attempt without an end: it runs, or a manager that died has left it.
+struct OpenAttempt {
   std::string case_id;
   int attempt = 0;
-  std::string intended, started, ended;  ///< ISO 8601 UTC; empty: not yet
-  std::optional<std::int64_t> pid;
-  std::string host;
-  int ranks = 0;
-  std::string outcome, reason;
-  std::optional<int> exit_code;
-  std::optional<std::int64_t> step;
-  std::optional<double> time, wall_seconds, ns_per_cell_step;
 };
 
 /// Which analysis made the stored result of a case; tells whether it has to be made again.
@@ -56,11 +49,10 @@ class Store {
   /// Opens results.db of a campaign directory. The directory must exist.
   [[nodiscard]] static Store open(const std::filesystem::path& campaign_directory, OpenMode mode);
 
-  /// The campaign row and all its cases in one transaction; states, attempts and results of known cases stay.
-  /// Cases of an earlier, larger sweep stay too, with in_campaign = 0.
+  /// The campaign row and all its cases in one transaction. New cases get state new; of known ones only
+  /// label, directory and run parameters are renewed, and states, attempts and results stay. Cases of an
+  /// earlier, larger sweep stay too, with in_campaign = 0.
   void record_campaign(const Campaign& campaign);
-  /// One case: new ones get state new, known ones only their label, directory and run parameters renewed.
-  void record_case(const CampaignCase& campaign_case);
   void set_state(const std::string& case_id, CaseState state, const std::string& reason);
   /// An empty reason takes the mark away.
   void set_stale(const std::string& case_id, const std::string& reason);
@@ -83,15 +75,12 @@ class Store {
   void record_result(const std::string& case_id, const analysis::DerivedQuantities& derived,
                      const std::string& git_revision);
 
-  [[nodiscard]] std::vector<CaseRecord> cases() const;
   [[nodiscard]] std::optional<CaseRecord> find_case(const std::string& case_id) const;
   [[nodiscard]] int attempts(const std::string& case_id) const;
   /// Failed attempts since the case last got further than ever before (or was forgiven). Attempts that were
   /// interrupted on request, never started, or lost with their manager do not count: not the case's fault.
   [[nodiscard]] int attempts_without_progress(const std::string& case_id) const;
-  [[nodiscard]] std::vector<AttemptRecord> attempt_history(const std::string& case_id) const;
-  /// Attempts without an end: running, or left by a manager that died.
-  [[nodiscard]] std::vector<AttemptRecord> open_attempts() const;
+  [[nodiscard]] std::vector<OpenAttempt> open_attempts() const;
   [[nodiscard]] std::optional<ResultOrigin> result_origin(const std::string& case_id) const;
 
   [[nodiscard]] Connection& connection() { return connection_; }

@@ -8,6 +8,7 @@
 
 #include "campaign/store/backup.hpp"
 #include "campaign/store/store_schema.hpp"
+#include "solver/case/atomic_file.hpp"
 
 namespace softwall::campaign {
 
@@ -50,7 +51,8 @@ void create(const path& file) {
   if (bytes == nullptr) refuse(file, "out of memory");
   try {
     // False means that another program was faster: its store is as good.
-    (void)publish_new_file(file, bytes.get(), static_cast<std::size_t>(size));
+    (void)write_new_atomically(file,
+                               {reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)});
   } catch (const std::system_error& error) {
     refuse(file, std::string("cannot create the results store: ") + error.what());
   }

@@ -18,43 +18,9 @@ WHERE ended IS NOT NULL AND outcome NOT IN ('finished', 'interrupted', 'not star
   AND attempt > (SELECT forgiven FROM cases WHERE case_id = ?1)
 )sql";
 
-constexpr std::string_view kCaseColumns =
-    "SELECT case_id, label, directory, is_precursor, state, state_reason, stale_reason FROM cases ";
-constexpr std::string_view kAttemptColumns =
-    "SELECT case_id, attempt, intended, started, ended, pid, host, ranks, outcome, reason, exit_code, step,"
-    " time, wall_seconds, ns_per_cell_step FROM attempts ";
-
-std::optional<int> optional_int(const Statement& row, int column) {
-  if (row.is_null(column)) return std::nullopt;
-  return static_cast<int>(row.integer(column));
-}
-
-AttemptRecord attempt_in(const Statement& row) {
-  AttemptRecord record;
-  record.case_id = row.text(0);
-  record.attempt = static_cast<int>(row.integer(1));
-  record.intended = row.text(2);
-  record.started = row.text(3);
-  record.ended = row.text(4);
-  record.pid = row.optional_integer(5);
-  record.host = row.text(6);
-  record.ranks = static_cast<int>(row.integer(7));
-  record.outcome = row.text(8);
-  record.reason = row.text(9);
-  record.exit_code = optional_int(row, 10);
-  record.step = row.optional_integer(11);
-  record.time = row.optional_real(12);
-  record.wall_seconds = row.optional_real(13);
-  record.ns_per_cell_step = row.optional_real(14);
-  return record;
-}
-
-std::vector<AttemptRecord> all_attempts(Statement rows) {
-  std::vector<AttemptRecord> records;
-  while (rows.step()) records.push_back(attempt_in(rows));
-  return records;
-}
-
+constexpr std::string_view kCaseQuery =
+    "SELECT case_id, label, directory, is_precursor, state, state_reason, stale_reason FROM cases"
+    " WHERE case_id = ?";
 CaseRecord case_in(const Statement& row, const Store& store) {
   CaseRecord record;
   record.case_id = row.text(0);
@@ -71,15 +37,8 @@ CaseRecord case_in(const Statement& row, const Store& store) {
 
 }  // namespace
 
-std::vector<CaseRecord> Store::cases() const {
-  Statement rows = connection_.query(std::string(kCaseColumns) + "ORDER BY is_precursor DESC, rowid");
-  std::vector<CaseRecord> records;
-  while (rows.step()) records.push_back(case_in(rows, *this));
-  return records;
-}
-
 std::optional<CaseRecord> Store::find_case(const std::string& case_id) const {
-  Statement rows = connection_.query(std::string(kCaseColumns) + "WHERE case_id = ?", case_id);
+  Statement rows = connection_.query(kCaseQuery, case_id);
   if (!rows.step()) return std::nullopt;
   return case_in(rows, *this);
 }
@@ -95,14 +54,12 @@ int Store::attempts_without_progress(const std::string& case_id) const {
   return row.step() ? static_cast<int>(row.integer(0)) : 0;
 }
 
-std::vector<AttemptRecord> Store::attempt_history(const std::string& case_id) const {
-  return all_attempts(
-      connection_.query(std::string(kAttemptColumns) + "WHERE case_id = ? ORDER BY attempt", case_id));
-}
-
-std::vector<AttemptRecord> Store::open_attempts() const {
-  return all_attempts(
-      connection_.query(std::string(kAttemptColumns) + "WHERE ended IS NULL ORDER BY case_id, attempt"));
+std::vector<OpenAttempt> Store::open_attempts() const {
+  Statement rows = connection_.query(
+      "SELECT case_id, attempt FROM attempts WHERE ended IS NULL ORDER BY case_id, attempt");
+  std::vector<OpenAttempt> found;
+  while (rows.step()) found.push_back({rows.text(0), static_cast<int>(rows.integer(1))});
+  return found;
 }
 
 }  // namespace softwall::campaign

@@ -18,11 +18,4 @@ enum class JournalMode {
 /// Of the file system that holds path. Throws std::system_error when it cannot be asked.
 [[nodiscard]] JournalMode journal_mode_for(const std::filesystem::path& path);
 
-/// Writes a file that is there complete and on disk, or not at all, and never replaces one: false when a file
-/// of that name exists. Throws std::system_error.
-[[nodiscard]] bool publish_new_file(const std::filesystem::path& file, const void* bytes, std::size_t size);
-
-/// Gives a complete file on the same file system its name, in the same manner; source is removed in any case.
-[[nodiscard]] bool publish_as_new(const std::filesystem::path& source, const std::filesystem::path& file);
-
 }  // namespace softwall::campaign

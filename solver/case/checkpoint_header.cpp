@@ -17,6 +17,7 @@
 #include "solver/case/case_id.hpp"
 #include "solver/case/checkpoint_digest.hpp"
 #include "solver/case/file_descriptor.hpp"
+#include "solver/case/hexadecimal.hpp"
 #include "solver/case/json_text.hpp"
 
 namespace softwall {
@@ -25,12 +26,6 @@ namespace {
 using nlohmann::json;
 
 constexpr int kFormat = 1;
-
-std::string hexadecimal(std::uint64_t value) {
-  std::array<char, 17> digits{};
-  std::snprintf(digits.data(), digits.size(), "%016" PRIx64, value);
-  return digits.data();
-}
 
 std::uint64_t from_hexadecimal(const std::string& text) {
   std::uint64_t value = 0;

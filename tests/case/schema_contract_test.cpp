@@ -25,7 +25,7 @@ void collect_schema_leaves(const json& node, const std::string& at, std::set<std
 
 std::set<std::string> schema_leaves() {
   std::set<std::string> leaves;
-  collect_schema_leaves(case_schema().document(), "", leaves);
+  collect_schema_leaves(*case_schema().part(Pointer()), "", leaves);
   return leaves;
 }
 

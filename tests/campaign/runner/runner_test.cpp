@@ -13,6 +13,7 @@
 #include "tests/campaign/core/examples.hpp"
 #include "tests/campaign/observe/run_directory_files.hpp"
 #include "tests/campaign/runner/fake_launcher.hpp"
+#include "tests/campaign/store/examples.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign {
@@ -277,9 +278,9 @@ TEST_F(RunnerTest, AHangingAttemptIsEndedMoreAndMoreFirmlyAndCountedAsStalled) {
   const auto report =
       Runner(campaign_, folder_.path(), {launcher, results, progress, signals}, options).run();
   EXPECT_EQ(report.failed.size(), 5U);
-  const auto history = results.attempt_history(id(0));
-  ASSERT_EQ(history.size(), 2U);
-  EXPECT_EQ(history[0].outcome, "stalled");
+  EXPECT_EQ(
+      tests::answer(results, "SELECT group_concat(outcome) FROM attempts WHERE case_id = '" + id(0) + "'"),
+      "stalled,stalled");
   const std::vector<StopLevel> ladder = {StopLevel::kCheckpoint, StopLevel::kTerminate, StopLevel::kKill};
   EXPECT_EQ(std::vector(launcher.asked.begin(), launcher.asked.begin() + 3), ladder);
 }

@@ -122,14 +122,14 @@ TEST(CreationTest, OfTwentyAtOnceAllGetTheSameStore) {
     makers.push_back(std::make_unique<test::ChildProcess>([&folder, &campaign, i] {
       return refusal([&] {
                Store store = Store::open(folder.path(), OpenMode::kCreate);
-               store.record_case(campaign.cases[static_cast<std::size_t>(i) % 7]);
+               store.record_campaign(campaign_with(campaign.cases[static_cast<std::size_t>(i) % 7]));
              }) == ""
                  ? 0
                  : 1;
     }));
   }
   for (auto& maker : makers) EXPECT_EQ(maker->wait(), 0);
-  EXPECT_EQ(Store::open(folder.path(), OpenMode::kReadOnly).cases().size(), 7U);
+  EXPECT_EQ(number_of_cases(Store::open(folder.path(), OpenMode::kReadOnly)), 7U);
 }
 
 /// Fills the store until it is refused; returns the attempts that were acknowledged.

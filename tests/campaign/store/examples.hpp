@@ -53,6 +53,18 @@ inline std::string answer(Store& store, const std::string& sql) {
   return rows.step() ? rows.text(0) : "(no row)";
 }
 
+inline std::size_t number_of_cases(Store store) {
+  return std::stoul(answer(store, "SELECT count(*) FROM cases"));
+}
+
+/// A campaign of this one case.
+inline Campaign campaign_with(const CampaignCase& only) {
+  Campaign campaign;
+  campaign.name = "one case";
+  campaign.cases = {only};
+  return campaign;
+}
+
 /// What an action is refused with; empty when it is not.
 template <class Action>
 std::string refusal(const Action& action) {

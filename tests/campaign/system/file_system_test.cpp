@@ -2,19 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
-#include "tests/support/temporary_folder.hpp"
+#include <system_error>
 
 namespace softwall::campaign::tests {
 namespace {
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 TEST(JournalModeTest, TheLogIsForKnownLocalDisksOnly) {
   constexpr long kExt4 = 0xEF53, kXfs = 0x58465342, kTmpfs = 0x01021994;
@@ -29,17 +20,6 @@ TEST(JournalModeTest, TheLogIsForKnownLocalDisksOnly) {
   }
   EXPECT_THROW((void)journal_mode_for("/no/such/place"), std::system_error);
   EXPECT_EQ(journal_mode_for("/proc"), JournalMode::kRollback);
-}
-
-TEST(PublishTest, AFileAppearsWholeAndReplacesNone) {
-  test::TemporaryFolder folder;
-  const auto file = folder.path() / "file";
-  EXPECT_TRUE(publish_new_file(file, "first", 5));
-  EXPECT_FALSE(publish_new_file(file, "second", 6));
-  EXPECT_EQ(text_of(file), "first");
-  std::size_t files = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) ++files;
-  EXPECT_EQ(files, 1U);
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ TEST_F(PaperTablesTest, WithoutAnyCounterpartThereAreNoTables) {
 TEST_F(PaperTablesTest, ALongLabelIsShortened) {
   CampaignCase named = case_with(campaign, 1.0, 1.0);
   named.definition.label = std::string(60, 'x');
-  store.record_case(named);
+  store.record_campaign(campaign_with(named));
   EXPECT_THAT(under("TABLE"), ContainsRegex("\n  x+\\.\\.\\. \\(new\\) "));
 }
 
