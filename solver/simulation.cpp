@@ -192,7 +192,7 @@ ExitCode Simulation::finish(const Decision& last) {
   const bool finished = has_reached(state_.time, case_.run.end_time);
   const ExitCode code = finished ? ExitCode::kDone : ExitCode::kInterrupted;
   std::string reason = "end time reached";
-  if (!finished) reason = last.signal != 0 ? "signal " + std::to_string(last.signal) : "wall-clock limit";
+  if (!finished) reason = last.signal != 0 ? describe_stop_signal(last.signal) : "wall-clock limit";
   summarise(code, reason);
   write_status();
   std::ostringstream line;

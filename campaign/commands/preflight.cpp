@@ -3,15 +3,17 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <functional>
 #include <sstream>
 #include <string>
 
-#include "campaign/observe/observe.hpp"
+#include "campaign/core/case_mistakes.hpp"
+#include "campaign/core/machine.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/checkpoint_size.hpp"
 #include "solver/case/file_descriptor.hpp"
@@ -54,25 +56,120 @@ fs::path find_on_path(const std::string& name) {
   refuse(name, "not found on the PATH", "Open MPI (on Debian: apt install openmpi-bin)");
 }
 
-std::string gigabytes(double bytes) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g GB", bytes / 1e9);
-  return text.data();
+/// softwall-dns: $SOFTWALL_DNS, or beside softwall itself; mpirun: on the PATH. Throws BadInput.
+ProcessLauncher::Programs find_programs() { return {find_on_path("mpirun"), find_solver()}; }
+
+double disk_bytes(const Campaign& campaign, const std::vector<Observation>& observations) {
+  double needed = 0;
+  for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
+    const Observation& seen = observations[i];
+    if (seen.newest_checkpoint || seen.state == CaseState::kFinished) continue;  // its share is already there
+    // One more than is kept: the oldest goes only when the newest is complete.
+    const Case& one = campaign.cases[i].definition;
+    needed += static_cast<double>(checkpoint_field_bytes(one.physics)) * (one.run.keep_checkpoints + 1);
+  }
+  return needed;
+}
+
+/// Of the cases that can be at work side by side: as many of the largest as the cores hold, precursors first.
+double memory_side_by_side(const Campaign& campaign, const std::vector<Decision>& decisions) {
+  double most = 0;
+  for (const bool precursors : {true, false}) {
+    std::vector<std::pair<double, int>> cases;  // memory and ranks
+    for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
+      const CampaignCase& one = campaign.cases[i];
+      if (one.is_precursor != precursors || !may_start(decisions[i].outlook)) continue;
+      cases.emplace_back(memory_bytes(one.definition, one.ranks), one.ranks);
+    }
+    std::ranges::sort(cases, std::greater<>());
+    int cores = campaign.execution.cores;
+    double sum = 0;
+    for (const auto& [bytes, ranks] : cases) {
+      if (ranks > cores) continue;
+      cores -= ranks;
+      sum += bytes;
+    }
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
+/// Physical memory, or what the control group of this process may have of it.
+double memory_here() {
+  double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  std::ifstream limit("/sys/fs/cgroup/memory.max");
+  if (double allowed = 0; limit >> allowed && allowed > 0) bytes = std::min(bytes, allowed);
+  return bytes;
+}
+
+/// The precisions whose solver does not stand beside `solver`.
+std::vector<std::string> missing_programs(const fs::path& solver) {
+  std::vector<std::string> missing;
+  const fs::path folder = fs::canonical(solver).parent_path();
+  if (!is_program(solver_program(folder, Precision::kSingle))) missing.push_back(name_of(Precision::kSingle));
+  return missing;
+}
+
+/// The obstacles of every case that is yet to be started, each told once.
+std::vector<Mistake> obstacles_of_cases(const Campaign& campaign, const std::vector<Decision>& decisions,
+                                        const Machine& machine) {
+  CaseMistakes mistakes;
+  std::size_t cases = 0;
+  for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
+    const CampaignCase& one = campaign.cases[i];
+    if (!may_start(decisions[i].outlook)) continue;
+    ++cases;
+    mistakes.add(one.definition.label, "", obstacles(one, campaign.execution, machine));
+  }
+  return mistakes.all(cases);
+}
+
+/// What would become of the cases on a machine with any number of cores.
+std::vector<Decision> decide_without_limit(Campaign campaign, const std::vector<Observation>& observations) {
+  campaign.execution.cores = 0;
+  return decide(campaign, observations);
 }
 
 }  // namespace
 
-ProcessLauncher::Programs find_programs() { return {find_on_path("mpirun"), find_solver()}; }
+bool may_start(Outlook outlook) {
+  return outlook == Outlook::kStart || outlook == Outlook::kResume || outlook == Outlook::kWaiting;
+}
 
-void require_precisions(const Campaign& campaign, const fs::path& solver) {
-  const fs::path folder = fs::canonical(solver).parent_path();
-  for (const CampaignCase& one : campaign.cases) {
-    const Precision precision = one.definition.physics.precision;
-    const fs::path program = solver_program(folder, precision);
-    if (precision == Precision::kDouble || is_program(program)) continue;
-    refuse("physics.precision " + name_of(precision), "no executable " + program.string(),
-           "the solver of that precision, built beside softwall-dns");
+Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>& observations) {
+  const Campaign& campaign = loaded.campaign;
+  const auto decisions = decide_without_limit(campaign, observations);
+  Preflight result;
+  Machine machine{campaign.execution.cores, memory_here(), {}};
+  try {
+    result.programs = find_programs();
+    machine.no_programs = missing_programs(result.programs.solver);
+  } catch (const BadInput& error) {
+    for (const Mistake& mistake : error.mistakes)
+      result.mistakes.push_back({error.source, mistake.given, mistake.allowed});
   }
+  for (Mistake& mistake : obstacles_of_cases(campaign, decisions, machine))
+    result.mistakes.push_back(std::move(mistake));
+  result.disk_bytes = disk_bytes(campaign, observations);
+  result.disk_free_bytes = static_cast<double>(fs::space(loaded.folder).available);
+  result.memory_bytes = memory_side_by_side(campaign, decisions);
+  result.machine_memory_bytes = machine.memory_bytes;
+  if (result.disk_bytes > result.disk_free_bytes) {
+    result.mistakes.push_back({"disk", gigabytes(result.disk_free_bytes) + " free",
+                               "the checkpoints of this campaign take " + gigabytes(result.disk_bytes)});
+  }
+  if (result.memory_bytes > result.machine_memory_bytes && result.mistakes.empty()) {
+    result.mistakes.push_back(
+        {"/execution/cores",
+         "cases side by side would take about " + gigabytes(result.memory_bytes) + " of memory",
+         "this machine has " + gigabytes(result.machine_memory_bytes) + ": let fewer run at once"});
+  }
+  return result;
+}
+
+void require_nothing_in_the_way(const Preflight& preflight, const fs::path& folder) {
+  if (!preflight.mistakes.empty())
+    throw BadInput(folder.string() + " cannot be run here", preflight.mistakes);
 }
 
 void require_writable(const fs::path& folder) {
@@ -81,22 +178,6 @@ void require_writable(const fs::path& folder) {
   if (!file)
     refuse(folder.string(), std::string("cannot be written: ") + std::strerror(errno), "a writable folder");
   unlink(probe.c_str());
-}
-
-void require_disk_space(const Campaign& campaign, const fs::path& folder) {
-  double needed = 0;
-  for (const CampaignCase& one : campaign.cases) {
-    const Observation seen = observe(one, run_files(folder, one));
-    if (seen.newest_checkpoint || seen.state == CaseState::kFinished) continue;  // its share is already there
-    // One more than is kept: the oldest goes only when the newest is complete.
-    needed += static_cast<double>(checkpoint_field_bytes(one.definition.physics)) *
-              (one.definition.run.keep_checkpoints + 1);
-  }
-  const double available = static_cast<double>(fs::space(folder).available);
-  if (needed > available) {
-    refuse(folder.string(), gigabytes(available) + " free on its disk",
-           "the " + gigabytes(needed) + " that the checkpoints of this campaign take");
-  }
 }
 
 }  // namespace softwall::campaign

@@ -19,6 +19,7 @@
 #include "campaign/store/result_table.hpp"
 #include "campaign/store/store.hpp"
 #include "campaign/system/clock.hpp"
+#include "campaign/system/shell_words.hpp"
 #include "solver/case/time_comparison.hpp"
 
 namespace softwall::campaign {
@@ -34,11 +35,7 @@ struct Snapshot {
 Snapshot look(const LoadedCampaign& loaded) {
   Snapshot now;
   now.owner = living_owner(loaded.folder);
-  now.observations = observe_all(loaded.campaign, loaded.folder);
-  if (std::filesystem::exists(store_path(loaded.folder))) {
-    const Store store = Store::open(loaded.folder, OpenMode::kReadOnly);
-    for (Observation& seen : now.observations) seen = with_history(seen, store);
-  }
+  now.observations = observe_with_history(loaded);
   for (std::size_t i = 0; i < now.observations.size(); ++i) {
     if (!now.observations[i].running) continue;
     const CampaignCase& one = loaded.campaign.cases[i];
@@ -46,10 +43,8 @@ Snapshot look(const LoadedCampaign& loaded) {
       now.working[one.definition.id] = *status;
     }
   }
-  const Execution& execution = loaded.campaign.execution;
-  const int cores =
-      execution.cores > 0 ? execution.cores : static_cast<int>(std::thread::hardware_concurrency());
-  now.seconds_left = remaining_seconds(loaded.campaign, now.observations, now.working, cores);
+  now.seconds_left =
+      remaining_seconds(loaded.campaign, now.observations, now.working, loaded.campaign.execution.cores);
   return now;
 }
 
@@ -91,22 +86,18 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now) {
     const Observation& seen = now.observations[i];
     const auto [time, step] = reached(now, seen);
     table.rows.push_back(
-    table.rows.push_back({loaded.campaign.cases[i].definition.label, std::string(word_of(seen.state)),
-                          short_number(time), short_number(seen.end_time),
-                          static_cast<std::int64_t>(percent_done(time, seen.end_time)), step,
-                          std::int64_t{seen.attempts},
-                          seen.state == CaseState::kFinished ? std::string() : seen.reason});
-         std::int64_t{seen.attempts}, seen.state == CaseState::kFinished ? std::string() : seen.reason
-  });
-}
-write_table(std::cout, table, TableFormat::kText);
-std::cout << "\n"
-          << describe_progress(loaded.campaign, now.observations, now.working, now.seconds_left) << "\n";
-if (now.owner) {
-  std::cout << "Run by " << *now.owner << "." << std::endl;
-} else if (now.seconds_left > 0) {
-  std::cout << "Nobody runs it now. To go on:  softwall resume " << loaded.folder.string() << std::endl;
-}
+        {loaded.campaign.cases[i].definition.label, std::string(word_of(seen.state)), short_number(time),
+         short_number(seen.end_time), static_cast<std::int64_t>(percent_done(time, seen.end_time)), step,
+         std::int64_t{seen.attempts}, seen.state == CaseState::kFinished ? std::string() : seen.reason});
+  }
+  write_table(std::cout, table, TableFormat::kText);
+  std::cout << "\n"
+            << describe_progress(loaded.campaign, now.observations, now.working, now.seconds_left) << "\n";
+  if (now.owner) {
+    std::cout << "Run by " << *now.owner << "." << std::endl;
+  } else if (now.seconds_left > 0) {
+    std::cout << "Nobody runs it now. To go on:  " << softwall_command("resume", loaded.named) << std::endl;
+  }
 }
 
 }  // namespace

@@ -61,6 +61,14 @@ void CaseBook::pause(const CampaignCase& one, const std::string& reason) {
   paused_[one.definition.id] = reason;
 }
 
+void CaseBook::pause_unfinished(const std::string& reason) {
+  for (std::size_t i = 0; i < campaign_.cases.size(); ++i) {
+    const CampaignCase& one = campaign_.cases[i];
+    observations_[i] = observe(one, files_of(one));
+    if (observations_[i].state != CaseState::kFinished) pause(one, reason);
+  }
+}
+
 Ladder CaseBook::check(const CampaignCase& one) {
   const RunFiles run = files_of(one);
   Ladder ladder = check_ladder(run, one.definition.id);

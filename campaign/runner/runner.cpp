@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <thread>
+#include <system_error>
 
 #include "campaign/core/eta.hpp"
+#include "campaign/core/machine.hpp"
+#include "campaign/observe/history.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_directory.hpp"
 #include "campaign/observe/run_reports.hpp"
@@ -20,13 +22,6 @@ namespace {
 constexpr double kTellSeconds = 300.0;       // between progress lines where there is no terminal
 constexpr double kStopRepeatSeconds = 10.0;  // a signal that reaches mpirun before its ranks exist is lost
 
-/// "All cores of the machine" as a number, for the plan too.
-Campaign with_counted_cores(Campaign campaign) {
-  int& cores = campaign.execution.cores;
-  if (cores == 0) cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return campaign;
-}
-
 bool failed_by_itself(AttemptOutcome outcome) {
   return outcome != AttemptOutcome::kFinished && outcome != AttemptOutcome::kInterrupted &&
          outcome != AttemptOutcome::kDiverged;
@@ -40,7 +35,13 @@ Runner::Runner(Campaign campaign, std::filesystem::path folder, Parts parts, Run
       progress_(parts.progress),
       signals_(parts.signals),
       options_(options),
-      book_(with_counted_cores(std::move(campaign)), std::move(folder), parts.store, parts.progress) {}
+      book_(with_counted_cores(std::move(campaign)), std::move(folder), parts.store, parts.progress) {
+  store_.connection().wait_for_locks([this] { return wait_for_store(); });
+}
+
+Runner::~Runner() {
+  store_.connection().wait_for_locks([] { return false; });  // nobody is left to wait
+}
 
 RunnerReport Runner::run() {
   if (!take_stock()) return report();
@@ -57,9 +58,53 @@ RunnerReport Runner::run() {
       show_progress();
       signals_.wait(options_.poll);
     }
+  } catch (const SqliteError& error) {
+    end_all();
+    if (!error.may_pass()) throw;
+    return pause_for_store(error);
   } catch (...) {
     end_all();
     throw;
+  }
+}
+
+/// Another program holds the store: the solvers go on meanwhile, and what has to be recorded waits. False
+/// when the user has asked to stop and has waited long enough; the run directories hold what was not
+/// recorded.
+bool Runner::wait_for_store() {
+  constexpr double kPauseSeconds = 5.0;  // a longer time without a lock ends the matter
+  const double now = monotonic_seconds();
+  if (now - locked_seen_at_ > kPauseSeconds) {
+    locked_since_ = now;
+    progress_.event("another program holds results.db; waiting for it, the solvers go on",
+                    Progress::Kind::kBad);
+  }
+  locked_seen_at_ = now;
+  if (signals_.stop_requests() > 0) {
+    pass_on_stop();
+    if (now - locked_since_ > options_.store_seconds) return false;
+  } else {
+    locked_since_ = now;
+  }
+  signals_.wait(options_.poll);
+  return true;
+}
+
+/// Nothing is lost: the run directories are the truth, and the next run records from them.
+RunnerReport Runner::pause_for_store(const SqliteError& error) {
+  const std::string reason = std::string("the results store cannot be written: ") + error.what();
+  progress_.event("paused: " + reason, Progress::Kind::kBad);
+  book_.pause_unfinished("paused: " + reason);
+  return report();
+}
+
+/// A history that cannot be written is no reason to stop: the store has it.
+void Runner::keep_history(const CampaignCase& one) {
+  const std::string& id = one.definition.id;
+  try {
+    write_history(book_.files_of(one), id, store_.past_attempts(id));
+  } catch (const std::system_error& error) {
+    progress_.event(one.definition.label + ": " + error.what(), Progress::Kind::kBad);
   }
 }
 
@@ -152,6 +197,7 @@ void Runner::record_end(const EndedAttempt& ended) {
     end.reason = "interrupted before its first step (" + end.reason + ")";
   }
   store_.end_attempt(ended.case_id, watch.attempt, end);
+  keep_history(one);
   record_state(one, end);
 }
 

@@ -85,8 +85,9 @@ void write_text(std::ostream& out, const ResultTable& table) {
 
 void write_csv(std::ostream& out, const ResultTable& table) {
   const auto write_line = [&out](const auto& cells, const auto& text_of) {
-    for (std::size_t i = 0; i < cells.size(); ++i) out << (i > 0 ? "," : "") << text_of(cells[i]);
-    out << '\n';
+    std::string line;
+    for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + text_of(cells[i]);
+    out << (line.empty() ? "\"\"" : line) << '\n';  // readers drop blank lines
   };
   write_line(table.columns, CsvCell{});
   for (const auto& row : table.rows) {

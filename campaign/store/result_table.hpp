@@ -23,8 +23,9 @@ struct ResultTable {
 enum class TableFormat { kText, kCsv, kJson };
 
 /// Text: for people, aligned, numbers to six significant digits, control characters made visible.
-/// CSV: RFC 4180 with LF, header first, NULL empty and the empty text "", all digits.
-/// JSON: array of objects, numbers as numbers with all digits, NULL and non-finite numbers as null.
+/// CSV: RFC 4180 with LF, header first, NULL empty and the empty text "", all digits; a row that is a single
+/// NULL is "", because readers drop blank lines. JSON: array of objects, numbers as numbers with all digits,
+/// NULL and non-finite numbers as null.
 void write_table(std::ostream& out, const ResultTable& table, TableFormat format);
 
 }  // namespace softwall::campaign

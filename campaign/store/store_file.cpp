@@ -16,8 +16,9 @@ namespace {
 
 using std::filesystem::path;
 
-[[noreturn]] void refuse(const path& file, const std::string& why) {
-  throw SqliteError(file.string() + ": " + why, 0);
+/// code: SQLITE_CORRUPT where the store has to be made again, 0 where that would not help.
+[[noreturn]] void refuse(const path& file, const std::string& why, int code = 0) {
+  throw SqliteError(file.string() + ": " + why, code);
 }
 
 path beside(const path& file, const char* suffix) {
@@ -39,9 +40,11 @@ bool has_unfinished_change(const path& file) {
 /// Made in memory and published whole: a crash leaves no half-made store behind.
 void create(const path& file) {
   if (has_unfinished_change(file)) {
-    refuse(file,
-           "is gone, but its -wal or -journal file is still there: put it back from a backup, or move those "
-           "away too");
+    refuse(
+        file,
+        "is gone, but its -wal or -journal file is still there: put it back from a backup, or make it again "
+        "from the run directories",
+        SQLITE_CORRUPT);
   }
   Connection made = Connection::open_in_memory();
   create_schema(made);
@@ -63,7 +66,9 @@ void check_file(const path& file) {
   if (!std::filesystem::is_regular_file(file)) refuse(file, "is not a file");
   if (std::filesystem::file_size(file) == 0) {
     refuse(file,
-           "is empty (0 bytes) and no results store: restore a backup, or move it away to start a new one");
+           "is empty (0 bytes) and no results store: restore a backup, or make it again from the run "
+           "directories",
+           SQLITE_CORRUPT);
   }
 }
 
@@ -76,7 +81,8 @@ void check_health(Connection& connection) {
   const std::string answer = check.step() ? check.text(0) : "no answer";
   if (answer != "ok") {
     refuse(connection.file(),
-           "is damaged: " + answer + ": restore a backup, or move it away to start a new one");
+           "is damaged: " + answer + ": restore a backup, or make it again from the run directories",
+           SQLITE_CORRUPT);
   }
 }
 
@@ -135,11 +141,11 @@ Connection open_for_reading(const path& file) {
     }
     version = schema_version(connection);
   }
-  if (version < kSchemaVersion) {
-    refuse(file, "is of the older store format " + std::to_string(version) +
-                     "; any softwall command that writes, such as resume, brings it up to date");
-  }
-  return connection;
+  if (version == kSchemaVersion) return connection;
+  // Of an older format, and not ours to change: whoever only reads reads a copy of the present format.
+  Connection copy = copy_in_memory(connection);
+  migrate(copy, migrations(), kSchemaVersion);
+  return copy;
 }
 
 }  // namespace
