@@ -1,8 +1,9 @@
--- The results store of a campaign, format 2: <campaign directory>/results.db.
+-- The results store of a campaign, format 3: <campaign directory>/results.db.
 --
--- Written by `softwall` only; read it with `softwall query "SQL" DIR` or with sqlite3. Start with the view
+-- Written by `softwall` only; read it with `softwall query DIR "SQL"` or with sqlite3. Start with the view
 -- `results`. application_id and user_version are set by campaign/store/store_schema.cpp in the transaction that runs
--- this file. A store of an earlier format is migrated when it is opened for writing, after a backup; views are made anew.
+-- this file; schemas/migrations/from_<format>.sql takes the tables of a store of an earlier format to the next, and
+-- its views are made anew.
 --
 -- The comment behind a column, "[unit] meaning", is its documentation: it is copied into the table `documentation`,
 -- and a test fails when a column has none. Unit "-": none. Times of day are ISO 8601 UTC text. Lengths in h,
@@ -53,7 +54,6 @@ CREATE TABLE attempts (
   intended         TEXT NOT NULL,               -- [UTC] decided, before the launch
   started          TEXT,                        -- [UTC] launched; NULL: not known to have been
   ended            TEXT,                        -- [UTC] ended; NULL: running, or its manager died
-  pid              INTEGER,                     -- [-] process id of the launcher
   host             TEXT NOT NULL,               -- [-] machine
   ranks            INTEGER NOT NULL,            -- [-] MPI ranks
   resumed_from     TEXT,                        -- [-] checkpoint it started from; NULL: the initial state
@@ -71,6 +71,7 @@ CREATE TABLE attempts (
   git_revision     TEXT,                        -- [-] revision softwall-dns was built from
   build_type       TEXT,                        -- [-] Release, Debug, ...
   compiler         TEXT,                        -- [-] compiler and its version
+  handle           TEXT,                        -- [-] by which its launcher finds the attempt; NULL: never launched
   PRIMARY KEY (case_id, attempt)
 ) STRICT;
 
@@ -256,7 +257,7 @@ CREATE VIEW timeline (
 WITH events (at, rank, event, attempt, detail, case_id) AS (
   SELECT intended, 1, 'attempt intended', attempt, ranks || ' ranks on ' || host, case_id FROM attempts
   UNION ALL
-  SELECT started, 2, 'attempt started', attempt, 'pid ' || pid, case_id FROM attempts WHERE started IS NOT NULL
+  SELECT started, 2, 'attempt started', attempt, handle, case_id FROM attempts WHERE started IS NOT NULL
   UNION ALL
   SELECT ended, 3, 'attempt ended', attempt, outcome || iif(coalesce(reason, '') = '', '', ': ' || reason), case_id
   FROM attempts WHERE ended IS NOT NULL

@@ -4,6 +4,7 @@
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/left_behind.hpp"
 #include "campaign/commands/preflight.hpp"
+#include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/runner/campaign_lock.hpp"
 #include "campaign/store/store.hpp"
@@ -15,7 +16,8 @@ namespace {
 /// The store first: a row without a directory would be a result that nobody can look into.
 void remove(const LoadedCampaign& loaded, const LeftBehind& one) {
   const RunFiles run{loaded.folder / one.directory};
-  if (is_occupied(run)) throw std::runtime_error("a solver works in " + run.directory.string());
+  if (is_occupied(run, *make_launcher(loaded.campaign.execution.launcher)))
+    throw std::runtime_error("a solver works in " + run.directory.string());
   if (std::filesystem::exists(store_path(loaded.folder))) {
     Store store = Store::open(loaded.folder, OpenMode::kReadWrite);
     store.forget(one.case_id);

@@ -41,7 +41,8 @@ std::vector<LeftBehind> left_behind(const LoadedCampaign& loaded) {
     const RunFiles run = run_files(loaded.folder, one);
     const std::string& id = one.definition.id;
     const auto known = hours.find(id);
-    found.push_back({one.definition.label, id, one.directory, std::string(word_of(observe(one, run).state)),
+    found.push_back({one.definition.label, id, one.directory,
+                     std::string(word_of(observe_files(one, run).state)),
                      known != hours.end() ? known->second : last_core_hours(run, id),
                      found.size() < kMostExplained ? why_left_over(one, loaded.campaign) : ""});
   }

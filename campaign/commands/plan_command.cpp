@@ -12,6 +12,7 @@
 #include "campaign/core/eta.hpp"
 #include "campaign/core/machine.hpp"
 #include "campaign/core/plan.hpp"
+#include "campaign/launch/make_launcher.hpp"
 #include "campaign/runner/wording.hpp"
 #include "campaign/store/result_table.hpp"
 #include "campaign/store/text_width.hpp"
@@ -35,7 +36,8 @@ struct PlannedCampaign {
 
 PlannedCampaign plan_all(const LoadedCampaign& loaded) {
   const Campaign& campaign = loaded.campaign;
-  const auto observations = observe_for_run(loaded);
+  const auto launcher = make_launcher(campaign.execution.launcher);
+  const auto observations = observe_for_run(loaded, *launcher);
   const auto decisions = decide(campaign, observations);
   PlannedCampaign planned;
   for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
@@ -45,7 +47,7 @@ PlannedCampaign plan_all(const LoadedCampaign& loaded) {
     const double reached = done ? one.definition.run.end_time : observations[i].time;
     planned.cases.push_back({&one, decisions[i], estimate(one.definition, ns, reached)});
   }
-  planned.ready = preflight(loaded, observations);
+  planned.ready = preflight(loaded, observations, *launcher);
   planned.wall_seconds = remaining_seconds(campaign, observations, {}, campaign.execution.cores);
   planned.left_behind = left_behind(loaded);
   return planned;

@@ -9,11 +9,11 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
-#include <sstream>
 #include <string>
 
 #include "campaign/core/case_mistakes.hpp"
 #include "campaign/core/machine.hpp"
+#include "campaign/system/find_program.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/checkpoint_size.hpp"
 #include "solver/case/file_descriptor.hpp"
@@ -28,11 +28,7 @@ namespace fs = std::filesystem;
   throw BadInput(where, {{"", given, allowed}});
 }
 
-bool is_program(const fs::path& file) {
-  std::error_code unreadable;
-  return fs::is_regular_file(file, unreadable) && access(file.c_str(), X_OK) == 0;
-}
-
+/// softwall-dns: $SOFTWALL_DNS, or beside softwall itself. Throws BadInput.
 fs::path find_solver() {
   if (const char* chosen = std::getenv("SOFTWALL_DNS"); chosen != nullptr && *chosen != '\0') {
     if (!is_program(chosen)) refuse("SOFTWALL_DNS", chosen, "an executable softwall-dns");
@@ -45,19 +41,6 @@ fs::path find_solver() {
   }
   return beside;
 }
-
-fs::path find_on_path(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path != nullptr ? path : "/usr/bin:/bin");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const fs::path file = fs::absolute(fs::path(folder) / name);
-    if (is_program(file)) return file;
-  }
-  refuse(name, "not found on the PATH", "Open MPI (on Debian: apt install openmpi-bin)");
-}
-
-/// softwall-dns: $SOFTWALL_DNS, or beside softwall itself; mpirun: on the PATH. Throws BadInput.
-ProcessLauncher::Programs find_programs() { return {find_on_path("mpirun"), find_solver()}; }
 
 double disk_bytes(const Campaign& campaign, const std::vector<Observation>& observations) {
   double needed = 0;
@@ -136,14 +119,17 @@ bool may_start(Outlook outlook) {
   return outlook == Outlook::kStart || outlook == Outlook::kResume || outlook == Outlook::kWaiting;
 }
 
-Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>& observations) {
+Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>& observations,
+                    Launcher& launcher) {
   const Campaign& campaign = loaded.campaign;
   const auto decisions = decide_without_limit(campaign, observations);
   Preflight result;
-  Machine machine{campaign.execution.cores, memory_here(), {}};
+  const bool here = launcher.capacity().has_value();  // else a scheduler knows its machines, and we do not
+  Machine machine{campaign.execution.cores, here ? memory_here() : 0.0, {}};
   try {
-    result.programs = find_programs();
-    machine.no_programs = missing_programs(result.programs.solver);
+    const fs::path solver = find_solver();
+    machine.no_programs = missing_programs(solver);
+    launcher.prepare(solver);
   } catch (const BadInput& error) {
     for (const Mistake& mistake : error.mistakes)
       result.mistakes.push_back({error.source, mistake.given, mistake.allowed});
@@ -158,7 +144,7 @@ Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>
     result.mistakes.push_back({"disk", gigabytes(result.disk_free_bytes) + " free",
                                "the checkpoints of this campaign take " + gigabytes(result.disk_bytes)});
   }
-  if (result.memory_bytes > result.machine_memory_bytes && result.mistakes.empty()) {
+  if (here && result.memory_bytes > result.machine_memory_bytes && result.mistakes.empty()) {
     result.mistakes.push_back(
         {"/execution/cores",
          "cases side by side would take about " + gigabytes(result.memory_bytes) + " of memory",

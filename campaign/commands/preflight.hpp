@@ -5,7 +5,7 @@
 
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/core/plan.hpp"
-#include "campaign/launch/process_launcher.hpp"
+#include "campaign/launch/launcher.hpp"
 #include "solver/case/bad_input.hpp"
 
 /// What must be right before anything is changed. `plan` shows it, `run` refuses to start by it: the same
@@ -13,7 +13,6 @@
 namespace softwall::campaign {
 
 struct Preflight {
-  ProcessLauncher::Programs programs;
   std::vector<Mistake> mistakes;  ///< what is in the way; empty: nothing
   double disk_bytes = 0.0;        ///< that the checkpoints still to be written take
   double disk_free_bytes = 0.0;
@@ -21,8 +20,10 @@ struct Preflight {
   double machine_memory_bytes = 0.0;
 };
 
-/// Looks only at what is yet to be started: the cases of a finished campaign need nothing.
-[[nodiscard]] Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>& observations);
+/// Looks only at what is yet to be started: the cases of a finished campaign need nothing. Prepares the
+/// launcher.
+[[nodiscard]] Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>& observations,
+                                  Launcher& launcher);
 
 /// Throws BadInput with all that is in the way.
 void require_nothing_in_the_way(const Preflight& preflight, const std::filesystem::path& folder);

@@ -8,6 +8,7 @@
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/preflight.hpp"
+#include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/left_over.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/runner/campaign_lock.hpp"
@@ -79,6 +80,7 @@ struct Count {
 };
 
 Count fill(Store& store, const LoadedCampaign& loaded, const std::vector<CampaignCase>& left_over) {
+  const auto launcher = make_launcher(loaded.campaign.execution.launcher);
   const auto past = [&] {
     std::vector<CampaignCase> all = loaded.campaign.cases;
     all.insert(all.end(), left_over.begin(), left_over.end());
@@ -94,8 +96,8 @@ Count fill(Store& store, const LoadedCampaign& loaded, const std::vector<Campaig
       for (const PastAttempt& each : known->second)
         store.restore_attempt(one.definition.id, each.attempt, each.start, each.end);
     }
-    import_history(store, one, run);
-    if (observe(one, run).state != CaseState::kFinished) continue;
+    import_history(store, one, run, *launcher);
+    if (observe(one, run, *launcher).state != CaseState::kFinished) continue;
     try {
       count.results += import_result(store, one, run) ? 1 : 0;
     } catch (const SqliteError&) {

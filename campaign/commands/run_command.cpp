@@ -3,7 +3,7 @@
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/preflight.hpp"
-#include "campaign/launch/process_launcher.hpp"
+#include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/left_over.hpp"
 #include "campaign/runner/campaign_lock.hpp"
 #include "campaign/runner/progress.hpp"
@@ -66,7 +66,8 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   const LoadedCampaign loaded = load_campaign(path);
   require_writable(loaded.folder);
   const CampaignLock lock(loaded.folder);
-  const Preflight ready = preflight(loaded, observe_for_run(loaded));
+  const auto launcher = make_launcher(loaded.campaign.execution.launcher);
+  const Preflight ready = preflight(loaded, observe_for_run(loaded, *launcher), *launcher);
   require_nothing_in_the_way(ready, loaded.folder);
 
   RunnerReport report;
@@ -75,7 +76,6 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   {
     Progress progress(loaded.folder / "manager.log");
     Store store = Store::open(loaded.folder, OpenMode::kCreate);
-    ProcessLauncher launcher(ready.programs);
     progress.event(loaded.campaign.name + ": " + count(loaded.campaign.cases.size(), "case") + " in " +
                    loaded.folder.string());
     if (const auto left = left_over_cases(loaded.campaign, loaded.folder); !left.empty()) {
@@ -85,7 +85,7 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
     RunnerOptions runner_options;
     runner_options.stall_seconds = options.stall_minutes * 60;
     report =
-        Runner(loaded.campaign, loaded.folder, {launcher, store, progress, signals}, runner_options).run();
+        Runner(loaded.campaign, loaded.folder, {*launcher, store, progress, signals}, runner_options).run();
   }
   try {
     if (report.finished > 0) print_results(loaded.folder);

@@ -11,6 +11,7 @@
 #include "campaign/commands/commands.hpp"
 #include "campaign/core/eta.hpp"
 #include "campaign/core/words.hpp"
+#include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/runner/campaign_lock.hpp"
@@ -35,7 +36,7 @@ struct Snapshot {
 Snapshot look(const LoadedCampaign& loaded) {
   Snapshot now;
   now.owner = living_owner(loaded.folder);
-  now.observations = observe_with_history(loaded);
+  now.observations = observe_with_history(loaded, *make_launcher(loaded.campaign.execution.launcher));
   for (std::size_t i = 0; i < now.observations.size(); ++i) {
     if (!now.observations[i].running) continue;
     const CampaignCase& one = loaded.campaign.cases[i];

@@ -48,7 +48,7 @@ void verify_case(const CampaignCase& one, const RunFiles& run, Findings& finding
     findings.add(name_of(run.summary()),
                  read_summary(run, id) ? "" : "cannot be read, or is not of case " + id);
   }
-  const Observation seen = observe(one, run);
+  const Observation seen = observe_files(one, run);
   if (seen.state != CaseState::kFinished) return;
   findings.add(name_of(run.checkpoints()),
                seen.newest_checkpoint ? "" : "a finished case without a checkpoint");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <thread>
 
 #include "solver/case/rank_sharing.hpp"
 
@@ -60,12 +59,6 @@ std::vector<Mistake> obstacles(const CampaignCase& one, const Execution& executi
                      "this machine has " + gigabytes(machine.memory_bytes)});
   }
   return found;
-}
-
-Campaign with_counted_cores(Campaign campaign) {
-  int& cores = campaign.execution.cores;
-  if (cores == 0) cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return campaign;
 }
 
 std::string gigabytes(double bytes) {

@@ -22,9 +22,6 @@ struct Machine {
 [[nodiscard]] std::vector<Mistake> obstacles(const CampaignCase& one, const Execution& execution,
                                              const Machine& machine);
 
-/// "All cores of the machine" (cores 0) as a number.
-[[nodiscard]] Campaign with_counted_cores(Campaign campaign);
-
 /// "1.25 GB"
 [[nodiscard]] std::string gigabytes(double bytes);
 

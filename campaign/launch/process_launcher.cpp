@@ -17,7 +17,10 @@
 
 #include "campaign/launch/scratch.hpp"
 #include "campaign/system/clock.hpp"
+#include "campaign/system/find_program.hpp"
+#include "campaign/system/process_identity.hpp"
 #include "campaign/system/signals.hpp"
+#include "solver/case/bad_input.hpp"
 #include "solver/case/file_descriptor.hpp"
 #include "solver/case/json_text.hpp"
 #include "solver/case/run_files.hpp"
@@ -93,6 +96,21 @@ int exit_code_of(int wait_status) {
   return WIFSIGNALED(wait_status) ? 128 + WTERMSIG(wait_status) : WEXITSTATUS(wait_status);
 }
 
+/// Asks whatever works in run_directory, whoever started it, to end.
+void signal_attempt(const std::filesystem::path& run_directory, StopLevel level) {
+  const auto processes = processes_of(run_directory);
+  for (const pid_t process : processes) {
+    if (level == StopLevel::kKill) {
+      kill(process, SIGKILL);
+      continue;
+    }
+    // Only mpirun, or what has outlived it, is asked: it forwards SIGUSR1 to all ranks, and turns SIGTERM
+    // into TERM and, two seconds later, KILL of all ranks.
+    const bool has_parent_here = std::ranges::find(processes, parent_of(process)) != processes.end();
+    if (!has_parent_here) kill(process, level == StopLevel::kCheckpoint ? SIGUSR1 : SIGTERM);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> launch_arguments(const ProcessLauncher::Programs& programs,
@@ -110,7 +128,16 @@ std::vector<std::string> launch_arguments(const ProcessLauncher::Programs& progr
   return arguments;
 }
 
-ProcessIdentity ProcessLauncher::start(const LaunchRequest& request) {
+void ProcessLauncher::prepare(const std::filesystem::path& solver) {
+  const auto mpirun = find_on_path("mpirun");
+  if (!mpirun) {
+    throw BadInput("mpirun",
+                   {{"", "not found on the PATH", "Open MPI (on Debian: apt install openmpi-bin)"}});
+  }
+  programs_ = {*mpirun, solver};
+}
+
+Handle ProcessLauncher::start(const LaunchRequest& request) {
   const Scratch scratch(request.run_directory);
   scratch.create();
   auto arguments = launch_arguments(programs_, request);
@@ -143,7 +170,7 @@ ProcessIdentity ProcessLauncher::start(const LaunchRequest& request) {
     throw_errno("cannot start " + arguments[0], error);
   }
   running_[request.case_id] = {request.run_directory, child};
-  return identify(child);
+  return nlohmann::json(identify(child)).dump();
 }
 
 bool ProcessLauncher::is_over(Running& attempt) const {
@@ -176,29 +203,26 @@ std::vector<EndedAttempt> ProcessLauncher::collect() {
   return ended;
 }
 
-void ProcessLauncher::stop(const std::string& case_id, StopLevel level) {
-  const auto found = running_.find(case_id);
-  if (found != running_.end()) signal_attempt(found->second.run_directory, level);
+Presence ProcessLauncher::presence(const std::filesystem::path& run_directory, const Handle&) const {
+  return processes_of(run_directory).empty() ? Presence::kGone : Presence::kRunning;
+}
+
+void ProcessLauncher::stop(const std::filesystem::path& run_directory, const Handle&, StopLevel level) {
+  signal_attempt(run_directory, level);
+}
+
+void ProcessLauncher::clean_up(const std::filesystem::path& run_directory) {
+  Scratch(run_directory).remove();
+}
+
+std::optional<int> ProcessLauncher::capacity() const {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 ProcessLauncher::~ProcessLauncher() {
   for (auto& [id, attempt] : running_) {
     signal_attempt(attempt.run_directory, StopLevel::kKill);
     if (!attempt.ended) waitpid(attempt.leader, nullptr, 0);
-  }
-}
-
-void signal_attempt(const std::filesystem::path& run_directory, StopLevel level) {
-  const auto processes = processes_of(run_directory);
-  for (const pid_t process : processes) {
-    if (level == StopLevel::kKill) {
-      kill(process, SIGKILL);
-      continue;
-    }
-    // Only mpirun, or what has outlived it, is asked: it forwards SIGUSR1 to all ranks, and turns SIGTERM
-    // into TERM and, two seconds later, KILL of all ranks.
-    const bool has_parent_here = std::ranges::find(processes, parent_of(process)) != processes.end();
-    if (!has_parent_here) kill(process, level == StopLevel::kCheckpoint ? SIGUSR1 : SIGTERM);
   }
 }
 

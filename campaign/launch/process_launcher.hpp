@@ -10,7 +10,7 @@
 namespace softwall::campaign {
 
 /// Starts attempts on this machine: mpirun, directly from argument arrays (no shell sees a name).
-/// Must be used from one thread: the kernel's parent-death signal belongs to the thread that forks.
+/// start() must be called from one thread: the kernel's parent-death signal belongs to the thread that forks.
 ///
 /// Each attempt has its own process group, so that a Ctrl-C at the terminal reaches only softwall. If
 /// softwall itself is killed, the kernel sends SIGUSR1 to mpirun, which asks every rank to write a checkpoint
@@ -22,16 +22,27 @@ class ProcessLauncher final : public Launcher {
     std::filesystem::path solver;
   };
 
+  ProcessLauncher() = default;
   explicit ProcessLauncher(Programs programs) : programs_(std::move(programs)) {}
   /// Ends what still runs, at once: only an error of the runner itself leaves anything.
   ~ProcessLauncher() override;
   ProcessLauncher(const ProcessLauncher&) = delete;
   ProcessLauncher& operator=(const ProcessLauncher&) = delete;
 
-  ProcessIdentity start(const LaunchRequest& request) override;
+  /// mpirun of the PATH, for this solver.
+  void prepare(const std::filesystem::path& solver) override;
+  /// The handle is mpirun's ProcessIdentity as JSON. It is for people: attempts are found by the run
+  /// directory in the environment of their processes, because ranks may outlive their mpirun.
+  [[nodiscard]] Handle start(const LaunchRequest& request) override;
+  /// False: solvers of this machine end with the softwall that started them.
+  [[nodiscard]] bool adopt(const LaunchRequest&, const Handle&) override { return false; }
   std::vector<EndedAttempt> collect() override;
-  void stop(const std::string& case_id, StopLevel level) override;
   [[nodiscard]] bool idle() const override { return running_.empty(); }
+  [[nodiscard]] Presence presence(const std::filesystem::path& run_directory,
+                                  const Handle& handle) const override;
+  void stop(const std::filesystem::path& run_directory, const Handle& handle, StopLevel level) override;
+  void clean_up(const std::filesystem::path& run_directory) override;
+  [[nodiscard]] std::optional<int> capacity() const override;
 
  private:
   struct Running {
@@ -50,8 +61,5 @@ class ProcessLauncher final : public Launcher {
 /// The command line of an attempt.
 [[nodiscard]] std::vector<std::string> launch_arguments(const ProcessLauncher::Programs& programs,
                                                         const LaunchRequest& request);
-
-/// Ask, with the given firmness, whatever works in run_directory to end, whoever started it.
-void signal_attempt(const std::filesystem::path& run_directory, StopLevel level);
 
 }  // namespace softwall::campaign

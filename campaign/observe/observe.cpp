@@ -168,12 +168,14 @@ RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& camp
   return {std::filesystem::absolute(folder / campaign_case.directory).lexically_normal()};
 }
 
-bool is_occupied(const RunFiles& run) {
-  return std::filesystem::exists(run.directory) &&
-         (!processes_of(run.directory).empty() || lock_is_held(run.lock()));
+bool is_occupied(const RunFiles& run, const Launcher& launcher) {
+  if (!std::filesystem::exists(run.directory)) return false;
+  const auto record = read_run_record(run);
+  return launcher.presence(run.directory, record ? record->handle : Handle()) != Presence::kGone ||
+         lock_is_held(run.lock());
 }
 
-Observation observe(const CampaignCase& campaign_case, const RunFiles& run) {
+Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run) {
   Observation observation;
   observation.case_id = campaign_case.definition.id;
   observation.end_time = campaign_case.definition.run.end_time;
@@ -191,7 +193,12 @@ Observation observe(const CampaignCase& campaign_case, const RunFiles& run) {
     observation.attempts = summary->attempt;
     apply_summary(*summary, campaign_case, observation);
   }
-  if (is_occupied(run)) {
+  return observation;
+}
+
+Observation observe(const CampaignCase& campaign_case, const RunFiles& run, const Launcher& launcher) {
+  Observation observation = observe_files(campaign_case, run);
+  if (is_occupied(run, launcher)) {
     observation.running = true;
     observation.state = CaseState::kRunning;
     observation.reason.clear();  // it spoke of an end that is over
@@ -202,9 +209,12 @@ Observation observe(const CampaignCase& campaign_case, const RunFiles& run) {
   return observation;
 }
 
-std::vector<Observation> observe_all(const Campaign& campaign, const std::filesystem::path& folder) {
+std::vector<Observation> observe_all(const Campaign& campaign, const std::filesystem::path& folder,
+                                     const Launcher& launcher) {
   std::vector<Observation> all;
-  for (const CampaignCase& one : campaign.cases) all.push_back(observe(one, run_files(folder, one)));
+  for (const CampaignCase& one : campaign.cases) {
+    all.push_back(observe(one, run_files(folder, one), launcher));
+  }
   return all;
 }
 
@@ -224,7 +234,7 @@ AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, 
   }
   if (exit_code) end.exit_code = exit_code;
   if (!end.step) {
-    const Observation left = observe(campaign_case, run);
+    const Observation left = observe_files(campaign_case, run);
     end.step = left.step;
     end.time = left.time;
   }

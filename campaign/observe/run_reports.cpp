@@ -97,19 +97,21 @@ std::optional<RunRecord> read_run_record(const RunFiles& run) {
   try {
     const json object = read_object(run_record_file(run));
     if (object.is_null()) return std::nullopt;
-    return RunRecord{object.at("case_id").get<std::string>(), object.at("attempt").get<int>(),
-                     object.at("process").get<ProcessIdentity>(), text(object, "started")};
+    RunRecord record{object.at("case_id").get<std::string>(), object.at("attempt").get<int>(),
+                     text(object, "handle"), text(object, "host"), text(object, "started")};
+    if (const auto process = object.find("process"); process != object.end()) {  // as softwall 0.1.0 wrote it
+      record.handle = process->dump();
+      record.host = text(*process, "host");
+    }
+    return record;
   } catch (const json::exception&) {
     return std::nullopt;
   }
 }
 
 void write_run_record(const RunFiles& run, const RunRecord& record) {
-  const json object = {{"format", kFormat},
-                       {"case_id", record.case_id},
-                       {"attempt", record.attempt},
-                       {"process", record.process},
-                       {"started", record.started}};
+  const json object = {{"format", kFormat},       {"case_id", record.case_id}, {"attempt", record.attempt},
+                       {"handle", record.handle}, {"host", record.host},       {"started", record.started}};
   write_atomically(run_record_file(run), object.dump(2) + "\n");
 }
 

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "campaign/core/solver_status.hpp"
-#include "campaign/system/process_identity.hpp"
 #include "solver/case/run_files.hpp"
 
 /// The small files of a run directory, as the manager reads them. A file that is missing, not complete or of
@@ -37,8 +36,9 @@ struct Summary {
 struct RunRecord {
   std::string case_id;
   int attempt = 0;
-  ProcessIdentity process;  ///< of mpirun
-  std::string started;      ///< ISO 8601 UTC
+  std::string handle;   ///< by which its launcher finds the attempt again; no one else knows what it means
+  std::string host;     ///< machine of the softwall that started it
+  std::string started;  ///< ISO 8601 UTC
 };
 [[nodiscard]] std::optional<RunRecord> read_run_record(const RunFiles& run);
 void write_run_record(const RunFiles& run, const RunRecord& record);

@@ -12,6 +12,7 @@ namespace softwall::campaign {
 struct AttemptWatch {
   int attempt = 0;
   int ranks = 0;
+  Handle handle;                  ///< by which the launcher finds it
   std::int64_t first_step = 0;    ///< safe step it started from
   std::optional<Status> status;   ///< newest report of this attempt
   double moved_at = 0.0;          ///< monotonic seconds when its step was last seen to advance

@@ -28,7 +28,7 @@ const Observation& CaseBook::seen(const CampaignCase& one) const {
 
 void CaseBook::look_at(const CampaignCase& one) {
   const std::string& id = one.definition.id;
-  Observation now = with_history(observe(one, files_of(one)), store_);
+  Observation now = with_history(observe_files(one, files_of(one)), store_);
   now.retry_allowed = now.retry_allowed && !paused_.contains(id) && !given_up_.contains(id);
   observations_[index_of(id)] = now;
 }
@@ -64,7 +64,7 @@ void CaseBook::pause(const CampaignCase& one, const std::string& reason) {
 void CaseBook::pause_unfinished(const std::string& reason) {
   for (std::size_t i = 0; i < campaign_.cases.size(); ++i) {
     const CampaignCase& one = campaign_.cases[i];
-    observations_[i] = observe(one, files_of(one));
+    observations_[i] = observe_files(one, files_of(one));
     if (observations_[i].state != CaseState::kFinished) pause(one, reason);
   }
 }

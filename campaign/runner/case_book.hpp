@@ -29,7 +29,8 @@ class CaseBook {
   [[nodiscard]] RunFiles files_of(const CampaignCase& one) const;
   [[nodiscard]] const Observation& seen(const CampaignCase& one) const;
 
-  /// Observe a case anew; the runner knows itself which ones it has started.
+  /// Observe the files of a case anew. Whether a solver works on it is not asked: the runner knows which
+  /// cases it has started or adopted, and has ended all others before.
   void look_at(const CampaignCase& one);
   void mark_running(const CampaignCase& one);
   /// A finished precursor is of use only with its last checkpoint: if that is damaged, the precursor is to go

@@ -1,70 +1,73 @@
 #include "campaign/runner/orphans.hpp"
 
 #include <stdexcept>
-#include <string>
-#include <vector>
 
-#include "campaign/launch/process_launcher.hpp"
-#include "campaign/launch/scratch.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_directory.hpp"
+#include "campaign/observe/run_reports.hpp"
 #include "campaign/system/clock.hpp"
-#include "campaign/system/process_identity.hpp"
 
 namespace softwall::campaign {
 namespace {
 
-constexpr double kLockOnlySeconds = 30.0;  // a solver that ends holds its lock a little longer than its name
+constexpr double kUnreachableSeconds =
+    30.0;  // a solver that ends holds its lock a little longer than its name
 
 struct Orphan {
-  std::string label;
-  RunFiles run;
+  WorkPlace place;
+  Handle handle;
   StopLadder ladder;
-  double seen_at;  ///< monotonic seconds when a process of it was last seen
+  double seen_at;  ///< monotonic seconds when the launcher last saw it
 };
 
 /// Once nobody works there.
-void tidy(const RunFiles& run) {
-  Scratch(run.directory).remove();
+void tidy(const RunFiles& run, Launcher& launcher) {
+  launcher.clean_up(run.directory);
   sweep_temporaries(run);
 }
 
-void ask_to_end(Orphan& orphan) {
+Orphan orphan_in(const WorkPlace& place, StopGrace grace) {
+  const auto record = read_run_record(place.run);
   const double now = monotonic_seconds();
-  if (!processes_of(orphan.run.directory).empty()) {
+  return {place, record ? record->handle : Handle(), StopLadder(grace, now), now};
+}
+
+void ask_to_end(Orphan& orphan, Launcher& launcher) {
+  const double now = monotonic_seconds();
+  const auto& directory = orphan.place.run.directory;
+  const Presence presence = launcher.presence(directory, orphan.handle);
+  if (presence == Presence::kRunning || presence == Presence::kQueued) {
     orphan.seen_at = now;
-    if (const auto level = orphan.ladder.due(now)) signal_attempt(orphan.run.directory, *level);
-  } else if (now - orphan.seen_at > kLockOnlySeconds) {
+    if (const auto level = orphan.ladder.due(now)) launcher.stop(directory, orphan.handle, *level);
+  } else if (now - orphan.seen_at > kUnreachableSeconds) {
     throw std::runtime_error(
         "a solver that cannot be seen from here (of another user or another host) works in " +
-        orphan.run.directory.string() + "; end it, then run the same command again");
+        directory.string() + "; end it, then run the same command again");
   }
 }
 
 }  // namespace
 
-bool end_orphans(const Campaign& campaign, const std::filesystem::path& folder, StopGrace grace,
-                 Signals& signals, Progress& progress) {
+bool end_orphans(const std::vector<WorkPlace>& places, Launcher& launcher, StopGrace grace, Signals& signals,
+                 Progress& progress) {
   std::vector<Orphan> orphans;
-  for (const CampaignCase& one : campaign.cases) {
-    const RunFiles run = run_files(folder, one);
-    if (!std::filesystem::exists(run.directory)) continue;
-    if (!is_occupied(run)) {
-      tidy(run);
+  for (const WorkPlace& place : places) {
+    if (!std::filesystem::exists(place.run.directory)) continue;
+    if (!is_occupied(place.run, launcher)) {
+      tidy(place.run, launcher);
       continue;
     }
-    const double now = monotonic_seconds();
-    orphans.push_back({one.definition.label, run, StopLadder(grace, now), now});
-    progress.event(one.definition.label +
+    orphans.push_back(orphan_in(place, grace));
+    progress.event(place.label +
                    ": a solver of an earlier softwall still works on it; waiting for its checkpoint");
   }
   while (!orphans.empty()) {
-    for (Orphan& orphan : orphans) ask_to_end(orphan);
+    for (Orphan& orphan : orphans) ask_to_end(orphan, launcher);
     signals.wait(std::chrono::milliseconds(100));
     if (signals.stop_requests() > 0) return false;
-    std::erase_if(orphans, [](const Orphan& orphan) {
-      if (is_occupied(orphan.run)) return false;
-      tidy(orphan.run);
+    std::erase_if(orphans, [&](const Orphan& orphan) {
+      if (is_occupied(orphan.place.run, launcher)) return false;
+      tidy(orphan.place.run, launcher);
       return true;
     });
   }

@@ -5,7 +5,6 @@
 #include <system_error>
 
 #include "campaign/core/eta.hpp"
-#include "campaign/core/machine.hpp"
 #include "campaign/observe/history.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_directory.hpp"
@@ -22,6 +21,12 @@ namespace {
 constexpr double kTellSeconds = 300.0;       // between progress lines where there is no terminal
 constexpr double kStopRepeatSeconds = 10.0;  // a signal that reaches mpirun before its ranks exist is lost
 
+/// "All cores there are" as a number, for the plan too.
+Campaign with_counted_cores(Campaign campaign, const Launcher& launcher) {
+  campaign.execution.cores = cores_to_use(campaign.execution.cores, launcher);
+  return campaign;
+}
+
 bool failed_by_itself(AttemptOutcome outcome) {
   return outcome != AttemptOutcome::kFinished && outcome != AttemptOutcome::kInterrupted &&
          outcome != AttemptOutcome::kDiverged;
@@ -35,7 +40,8 @@ Runner::Runner(Campaign campaign, std::filesystem::path folder, Parts parts, Run
       progress_(parts.progress),
       signals_(parts.signals),
       options_(options),
-      book_(with_counted_cores(std::move(campaign)), std::move(folder), parts.store, parts.progress) {
+      book_(with_counted_cores(std::move(campaign), parts.launcher), std::move(folder), parts.store,
+            parts.progress) {
   store_.connection().wait_for_locks([this] { return wait_for_store(); });
 }
 
@@ -108,23 +114,52 @@ void Runner::keep_history(const CampaignCase& one) {
   }
 }
 
-/// What an earlier runner left: its solvers ended, the store brought up to the run directories.
+/// What an earlier runner left: its solvers adopted or ended, the store brought up to the run directories.
 bool Runner::take_stock() {
   const auto& cases = book_.campaign().cases;
   store_.record_campaign(book_.campaign());
-  const bool ready = end_orphans(book_.campaign(), book_.folder(), options_.grace, signals_, progress_);
+  const bool ready = end_what_is_not_adopted();
   for (const CampaignCase& one : cases) {
-    if (ready) {
-      import_history(store_, one, book_.files_of(one));
+    if (ready && !working_.contains(one.definition.id)) {
+      import_history(store_, one, book_.files_of(one), launcher_);
       store_.forgive(one.definition.id);  // whoever runs the campaign again asks for another try
     }
     book_.look_at(one);
+    if (working_.contains(one.definition.id)) book_.mark_running(one);
   }
   if (!ready) return false;
   book_.look_at_precursors();
   for (const CampaignCase& one : cases) {
     if (book_.seen(one).state == CaseState::kFinished) deliver_result(one);
   }
+  return true;
+}
+
+bool Runner::end_what_is_not_adopted() {
+  std::vector<WorkPlace> others;
+  for (const CampaignCase& one : book_.campaign().cases) {
+    if (!adopt(one)) others.push_back({one.definition.label, book_.files_of(one)});
+  }
+  return end_orphans(others, launcher_, options_.grace, signals_, progress_);
+}
+
+/// True when an attempt of an earlier softwall goes on, and is watched from now on like one of our own.
+bool Runner::adopt(const CampaignCase& one) {
+  const std::string& id = one.definition.id;
+  const RunFiles run = book_.files_of(one);
+  const auto record = read_run_record(run);
+  if (!record || record->case_id != id || store_.attempts(id) != record->attempt) return false;
+  if (launcher_.presence(run.directory, record->handle) == Presence::kGone) return false;
+  const LaunchRequest request{id, run.directory, record->attempt, one.ranks,
+                              book_.campaign().execution.walltime_seconds};
+  if (!launcher_.adopt(request, record->handle)) return false;
+  AttemptWatch& watch = working_[id];
+  watch.attempt = record->attempt;
+  watch.ranks = one.ranks;
+  watch.handle = record->handle;
+  watch.moved_at = monotonic_seconds();
+  progress_.event(one.definition.label +
+                  ": an earlier softwall started it and it goes on; waiting for its end");
   return true;
 }
 
@@ -160,11 +195,12 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
   const int attempt = store_.begin_attempt(id, {host_name(), action.ranks, from});
   const std::int64_t first_step = ladder.newest ? ladder.header.step : 0;
   try {
-    const ProcessIdentity process = launcher_.start(
+    const Handle handle = launcher_.start(
         {id, run.directory, attempt, action.ranks, book_.campaign().execution.walltime_seconds});
-    working_[id] = {attempt, action.ranks, first_step, std::nullopt, monotonic_seconds(), std::nullopt};
-    write_run_record(run, {id, attempt, process, utc_now()});
-    store_.attempt_started(id, attempt, process.pid);
+    working_[id] = {attempt,      action.ranks,        handle,      first_step,
+                    std::nullopt, monotonic_seconds(), std::nullopt};
+    write_run_record(run, {id, attempt, handle, host_name(), utc_now()});
+    store_.attempt_started(id, attempt, handle);
   } catch (const std::runtime_error& error) {
     if (working_.contains(id)) throw;  // it runs, only its record failed: a matter for end_all()
     AttemptEnd end;
@@ -172,7 +208,7 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
     end.reason = error.what();
     end.step = first_step;
     store_.end_attempt(id, attempt, end);
-    store_.set_state(id, observe(one, run).state, end.reason);
+    store_.set_state(id, observe_files(one, run).state, end.reason);
     pause(one, end.reason);
     return;
   }
@@ -206,7 +242,7 @@ void Runner::record_state(const CampaignCase& one, const AttemptEnd& end) {
   const std::string& id = one.definition.id;
   const RunFiles run = book_.files_of(one);
   store_.record_checkpoints(id, checkpoint_records(run));
-  Observation seen = observe(one, run);
+  Observation seen = observe_files(one, run);
   if (failed_by_itself(end.outcome)) seen.state = CaseState::kFailed;
   if (end.outcome == AttemptOutcome::kDiverged) seen.state = CaseState::kDiverged;
   store_.set_state(id, seen.state, end.reason);
@@ -234,6 +270,10 @@ void Runner::deliver_result(const CampaignCase& one) {
   }
 }
 
+void Runner::ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level) {
+  launcher_.stop(book_.files_of(book_.find(case_id)).directory, watch.handle, level);
+}
+
 /// First request: checkpoint and end. Second: end within seconds. Third: end now.
 void Runner::pass_on_stop() {
   const int asked = std::min(signals_.stop_requests(), 3);
@@ -248,7 +288,7 @@ void Runner::pass_on_stop() {
   const StopLevel level = asked == 1   ? StopLevel::kCheckpoint
                           : asked == 2 ? StopLevel::kTerminate
                                        : StopLevel::kKill;
-  for (const auto& [id, watch] : working_) launcher_.stop(id, level);
+  for (const auto& [id, watch] : working_) ask_to_end(id, watch, level);
 }
 
 void Runner::end_stalled() {
@@ -264,7 +304,7 @@ void Runner::end_stalled() {
       watch.end.emplace(options_.grace, now);
     }
     if (!watch.end) continue;
-    if (const auto level = watch.end->due(now)) launcher_.stop(id, *level);
+    if (const auto level = watch.end->due(now)) ask_to_end(id, watch, *level);
   }
 }
 
@@ -273,7 +313,7 @@ void Runner::end_all() {
   StopLadder ladder(options_.grace, monotonic_seconds());
   while (!launcher_.idle()) {
     if (const auto level = ladder.due(monotonic_seconds())) {
-      for (const auto& [id, watch] : working_) launcher_.stop(id, *level);
+      for (const auto& [id, watch] : working_) ask_to_end(id, watch, *level);
     }
     signals_.wait(options_.poll);
     for (const EndedAttempt& ended : launcher_.collect()) working_.erase(ended.case_id);

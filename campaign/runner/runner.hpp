@@ -47,6 +47,8 @@ class Runner {
 
  private:
   bool take_stock();
+  [[nodiscard]] bool end_what_is_not_adopted();
+  [[nodiscard]] bool adopt(const CampaignCase& one);
   void start_as_many_as_fit();
   void start(const Action& action);
   void pause(const CampaignCase& one, const std::string& reason);
@@ -54,6 +56,7 @@ class Runner {
   void record_end(const EndedAttempt& ended);
   void record_state(const CampaignCase& one, const AttemptEnd& end);
   void deliver_result(const CampaignCase& one);
+  void ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level);
   void pass_on_stop();
   void end_stalled();
   void end_all();

@@ -40,7 +40,7 @@ void restore_newest_attempt(Store& store, const CampaignCase& one, const RunFile
   if (summary && summary->attempt == newest) {
     start = {summary->host, summary->ranks, summary->resumed_from};
   } else {
-    start = {record->process.host, one.ranks, ""};
+    start = {record->host, one.ranks, ""};
   }
   store.restore_attempt(id, newest, start, describe_end(one, run, newest, std::nullopt));
 }
@@ -63,13 +63,13 @@ bool is_current(const ResultOrigin& origin, const analysis::DerivedQuantities& d
 
 }  // namespace
 
-void import_history(Store& store, const CampaignCase& one, const RunFiles& run) {
+void import_history(Store& store, const CampaignCase& one, const RunFiles& run, const Launcher& launcher) {
   const std::string& id = one.definition.id;
   close_open_attempts(store, one, run);
   restore_history(store, one, run);
   restore_newest_attempt(store, one, run);
   store.record_checkpoints(id, checkpoint_records(run));
-  const Observation seen = observe(one, run);
+  const Observation seen = observe(one, run, launcher);
   if (!seen.running) store.set_state(id, seen.state, seen.reason);
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "campaign/core/campaign.hpp"
+#include "campaign/launch/launcher.hpp"
 #include "campaign/store/store.hpp"
 #include "solver/case/run_files.hpp"
 
@@ -11,7 +12,8 @@ namespace softwall::campaign {
 
 /// What the store has not yet of the attempts and checkpoints in a run directory that nobody works in: the
 /// ends of attempts whose runner died, and, in a store made anew, the newest attempt itself.
-void import_history(Store& store, const CampaignCase& campaign_case, const RunFiles& run);
+void import_history(Store& store, const CampaignCase& campaign_case, const RunFiles& run,
+                    const Launcher& launcher);
 
 /// The result of a finished case, unless the store has it already from this version of the analysis and from
 /// this run. True when it was derived now. Throws std::runtime_error when the statistics cannot be used.

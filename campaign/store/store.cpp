@@ -171,10 +171,10 @@ int Store::begin_attempt(const std::string& case_id, const AttemptStart& start) 
   return attempt;
 }
 
-void Store::attempt_started(const std::string& case_id, int attempt, std::int64_t pid) {
+void Store::attempt_started(const std::string& case_id, int attempt, const std::string& handle) {
   Transaction transaction(connection_);
-  connection_.run("UPDATE attempts SET started = ?3, pid = ?4 WHERE case_id = ?1 AND attempt = ?2", case_id,
-                  attempt, utc_now(), pid);
+  connection_.run("UPDATE attempts SET started = ?3, handle = ?4 WHERE case_id = ?1 AND attempt = ?2",
+                  case_id, attempt, utc_now(), handle);
   require_row(connection_, attempt_name(case_id, attempt));
   transaction.commit();
 }

@@ -66,8 +66,8 @@ class Store {
 
   /// The intent, before the launch: returns the new attempt's number (1, 2, ...) and sets the case running.
   [[nodiscard]] int begin_attempt(const std::string& case_id, const AttemptStart& start);
-  /// After the launch.
-  void attempt_started(const std::string& case_id, int attempt, std::int64_t pid);
+  /// After the launch. handle: by which its launcher finds the attempt again.
+  void attempt_started(const std::string& case_id, int attempt, const std::string& handle);
   /// May be repeated: the last call wins. Does not change the state of the case.
   void end_attempt(const std::string& case_id, int attempt, const AttemptEnd& end);
   /// Writes an attempt found in a run directory but not in the store (store lost): start and end at once.

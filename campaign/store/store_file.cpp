@@ -39,7 +39,8 @@ bool has_unfinished_change(const path& file) {
 
 /// Made in memory and published whole: a crash leaves no half-made store behind.
 void create(const path& file) {
-  if (has_unfinished_change(file)) {
+  // Asked in this order: a program that has just made the store has its file there before its log.
+  if (has_unfinished_change(file) && !std::filesystem::exists(file)) {
     refuse(
         file,
         "is gone, but its -wal or -journal file is still there: put it back from a backup, or make it again "
@@ -126,11 +127,12 @@ bool is_about_writing(const SqliteError& error) {
   return error.primary_code() == SQLITE_READONLY || error.primary_code() == SQLITE_CANTOPEN;
 }
 
+/// A store of an earlier format can be read as it is: what the commands ask for is in every format.
 Connection open_for_reading(const path& file) {
   Connection connection = Connection::open(file, Access::kReadOnly);
-  int version = 0;
   try {
-    version = schema_version(connection);
+    (void)schema_version(connection);
+    return connection;
   } catch (const SqliteError& error) {
     if (!is_about_writing(error)) throw;
     if (error.code() == SQLITE_READONLY_ROLLBACK && ::access(file.c_str(), W_OK) == 0) {

@@ -49,8 +49,9 @@ const Migration& step_from(int version, std::span<const Migration> steps, const 
 }  // namespace
 
 std::span<const Migration> migrations() {
-  static constexpr std::array<Migration, 1> kSteps = {{
-      {1, ""},  // views only: results shows the present campaign, results_all everything
+  static constexpr std::array<Migration, 2> kSteps = {{
+      {1, schemas::kFrom1Sql},
+      {2, ""},  // views only: results shows the present campaign, results_all everything
   }};
   return kSteps;
 }

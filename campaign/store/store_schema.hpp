@@ -7,12 +7,12 @@
 #include "campaign/store/sqlite.hpp"
 
 /// The format of the store and its versions. A change of schemas/results.sql that touches existing stores
-/// raises kSchemaVersion and adds a step to migrations() with the SQL that changes the tables; the views are
-/// made anew from schemas/results.sql by every migration.
+/// raises kSchemaVersion and adds schemas/migrations/from_<old>.sql with its entry in migrations(), for the
+/// tables; the views are made anew from schemas/results.sql by every migration.
 namespace softwall::campaign {
 
 inline constexpr std::int32_t kApplicationId = 0x73667477;  ///< "sftw", in the header of the file
-inline constexpr int kSchemaVersion = 2;                    ///< user_version, in the header of the file
+inline constexpr int kSchemaVersion = 3;                    ///< user_version, in the header of the file
 
 /// The SQL that turns a store of one format into the next.
 struct Migration {

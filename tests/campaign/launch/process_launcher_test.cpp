@@ -11,6 +11,7 @@
 
 #include "campaign/launch/scratch.hpp"
 #include "campaign/system/clock.hpp"
+#include "campaign/system/process_identity.hpp"
 #include "solver/case/exit_codes.hpp"
 #include "solver/case/run_files.hpp"
 #include "tests/support/child_process.hpp"
@@ -67,7 +68,7 @@ TEST_F(ProcessLauncherTest, HandsOverArgumentsWithoutAShell) {
   auto launcher = launcher_with("for a in \"$@\"; do echo \"[$a]\"; done; exit 85");
   auto what = request("$(touch pwned); 'x'");
   what.wall_seconds = 90.7;
-  launcher.start(what);
+  (void)launcher.start(what);
   const auto ended = wait_for_end(launcher);
   ASSERT_TRUE(ended);
   EXPECT_EQ(ended->exit_code, static_cast<int>(ExitCode::kInterrupted));
@@ -84,7 +85,7 @@ TEST_F(ProcessLauncherTest, HandsOverArgumentsWithoutAShell) {
 TEST_F(ProcessLauncherTest, ALogIsAppendedTo) {
   auto launcher = launcher_with("echo one attempt");
   for (int i = 0; i < 2; ++i) {
-    launcher.start(request());
+    (void)launcher.start(request());
     ASSERT_TRUE(wait_for_end(launcher));
   }
   EXPECT_EQ(log(), "one attempt\none attempt\n");
@@ -94,7 +95,7 @@ TEST_F(ProcessLauncherTest, TemporaryFilesAreGoneAfterwards) {
   auto launcher =
       launcher_with("touch $TMPDIR/a $OMPI_MCA_btl_vader_backing_directory/b; echo $TMPDIR; kill -9 $$");
   const Scratch scratch(request().run_directory);
-  launcher.start(request());
+  (void)launcher.start(request());
   const auto ended = wait_for_end(launcher);
   ASSERT_TRUE(ended);
   EXPECT_EQ(ended->exit_code, 128 + SIGKILL);
@@ -105,7 +106,7 @@ TEST_F(ProcessLauncherTest, TemporaryFilesAreGoneAfterwards) {
 
 TEST_F(ProcessLauncherTest, AMissingMpirunIsSaidAtOnce) {
   ProcessLauncher launcher({folder_.path() / "nowhere", "/bin/true"});
-  EXPECT_THROW(launcher.start(request()), std::runtime_error);
+  EXPECT_THROW((void)launcher.start(request()), std::runtime_error);
   EXPECT_TRUE(launcher.idle());
 }
 
@@ -113,25 +114,40 @@ TEST_F(ProcessLauncherTest, StopLevelsReachTheProcess) {
   auto launcher = launcher_with(
       "trap 'echo usr1' USR1; trap 'echo term; exit 85' TERM; echo ready; while :; do sleep 0.05; done");
   const auto what = request();
-  launcher.start(what);
+  (void)launcher.start(what);
   ASSERT_TRUE(wait_until([&] { return log().find("ready") != std::string::npos; }));
-  launcher.stop(what.case_id, StopLevel::kCheckpoint);
+  launcher.stop(what.run_directory, "", StopLevel::kCheckpoint);
   ASSERT_TRUE(wait_until([&] { return log().find("usr1") != std::string::npos; }));
   EXPECT_TRUE(launcher.collect().empty());
-  launcher.stop(what.case_id, StopLevel::kTerminate);
+  launcher.stop(what.run_directory, "", StopLevel::kTerminate);
   const auto ended = wait_for_end(launcher);
   ASSERT_TRUE(ended);
   EXPECT_EQ(ended->exit_code, 85);
+}
+
+TEST_F(ProcessLauncherTest, AnotherLauncherSeesAndStopsTheAttemptToo) {
+  auto launcher = launcher_with("trap 'exit 85' USR1; echo ready; while :; do sleep 0.05; done");
+  const auto what = request();
+  const Handle handle = launcher.start(what);
+  ASSERT_TRUE(wait_until([&] { return log().find("ready") != std::string::npos; }));
+  ProcessLauncher later;
+  EXPECT_EQ(later.presence(what.run_directory, handle), Presence::kRunning);
+  EXPECT_FALSE(later.adopt(what, handle));
+  later.stop(what.run_directory, handle, StopLevel::kCheckpoint);
+  const auto ended = wait_for_end(launcher);
+  ASSERT_TRUE(ended);
+  EXPECT_EQ(ended->exit_code, 85);
+  EXPECT_EQ(later.presence(what.run_directory, handle), Presence::kGone);
 }
 
 TEST_F(ProcessLauncherTest, NothingResistsBeingKilled) {
   auto launcher =
       launcher_with("trap '' USR1 TERM; (setsid sleep 60 &); echo ready; while :; do sleep 0.05; done");
   const auto what = request();
-  launcher.start(what);
+  (void)launcher.start(what);
   ASSERT_TRUE(wait_until([&] { return log().find("ready") != std::string::npos; }));
-  launcher.stop(what.case_id, StopLevel::kTerminate);
-  launcher.stop(what.case_id, StopLevel::kKill);
+  launcher.stop(what.run_directory, "", StopLevel::kTerminate);
+  launcher.stop(what.run_directory, "", StopLevel::kKill);
   ASSERT_TRUE(wait_for_end(launcher));
   EXPECT_TRUE(processes_of(what.run_directory).empty());
 }
@@ -140,7 +156,7 @@ TEST_F(ProcessLauncherTest, AnAttemptLastsUntilItsLastRankIsGone) {
   // mpirun is gone at once; a "rank" in a process group of its own still writes for a while
   auto launcher = launcher_with("setsid sh -c 'sleep 1; echo last words' & exit 1");
   const double start = monotonic_seconds();
-  launcher.start(request());
+  (void)launcher.start(request());
   ASSERT_TRUE(wait_for_end(launcher));
   EXPECT_GE(monotonic_seconds() - start, 1.0);
   EXPECT_EQ(log(), "last words\n");
@@ -149,7 +165,7 @@ TEST_F(ProcessLauncherTest, AnAttemptLastsUntilItsLastRankIsGone) {
 TEST_F(ProcessLauncherTest, RanksThatStayBehindAreKilled) {
   auto launcher = launcher_with("setsid sleep 60 & exit 1");
   const auto what = request();
-  launcher.start(what);
+  (void)launcher.start(what);
   ASSERT_TRUE(wait_for_end(launcher));
   EXPECT_TRUE(processes_of(what.run_directory).empty());
 }
@@ -160,7 +176,7 @@ TEST_F(ProcessLauncherTest, TheSolverIsToldWhenTheRunnerIsKilled) {
   const auto what = request();
   test::ChildProcess runner([&] {
     ProcessLauncher launcher({mpirun, "/bin/true"});
-    launcher.start(what);
+    (void)launcher.start(what);
     while (true) pause();
     return 0;
   });

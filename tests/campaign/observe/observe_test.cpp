@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/file.h>
 
+#include "campaign/launch/process_launcher.hpp"
 #include "campaign/observe/ladder.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "tests/campaign/core/examples.hpp"
@@ -17,7 +18,7 @@ namespace {
 class ObserveTest : public ::testing::Test {
  protected:
   ObserveTest() { std::filesystem::create_directories(run_.directory); }
-  [[nodiscard]] Observation look() const { return observe(case_, run_); }
+  [[nodiscard]] Observation look() const { return observe(case_, run_, ProcessLauncher()); }
 
   softwall::test::TemporaryFolder folder_;
   Campaign campaign_ = tests::campaign_of(tests::elastic_campaign());
@@ -65,9 +66,23 @@ TEST_F(ObserveTest, ARecordOlderThanTheLastAttemptIsNotItsEnd) {
   test::write_checkpoint(run_, id_, 10, 1.0);
   test::write_summary(run_, id_, 1, "failed", 10, 1.0);
   EXPECT_EQ(look().state, CaseState::kFailed);
-  write_run_record(run_, {id_, 2, this_process(), "2026-01-01T00:00:00Z"});
+  write_run_record(run_, {id_, 2, "a handle", "here", "2026-01-01T00:00:00Z"});
+  EXPECT_EQ(read_run_record(run_)->handle, "a handle");
+  EXPECT_EQ(read_run_record(run_)->host, "here");
   EXPECT_EQ(look().state, CaseState::kInterrupted);
   EXPECT_EQ(look().attempts, 2);
+}
+
+TEST_F(ObserveTest, ARunRecordOfTheFirstVersionIsStillRead) {
+  folder_.write(
+      run_.directory / "run.json",
+      R"({"format": 1, "case_id": "0123456789abcdef", "attempt": 3, "started": "2026-01-01T00:00:00Z",
+                    "process": {"host": "node 7", "boot_id": "b", "pid": 42, "start_ticks": 9}})");
+  const auto record = read_run_record(run_);
+  ASSERT_TRUE(record);
+  EXPECT_EQ(record->attempt, 3);
+  EXPECT_EQ(record->host, "node 7");
+  EXPECT_EQ(nlohmann::json::parse(record->handle).at("pid"), 42);
 }
 
 TEST_F(ObserveTest, DivergedStaysDiverged) {

@@ -51,7 +51,7 @@ class RunnerTest : public ::testing::Test {
     return kDone;
   }
 
-  RunnerReport run(FakeLauncher& launcher, RunnerOptions options = {}) {
+  RunnerReport run(Launcher& launcher, RunnerOptions options = {}) {
     options.poll = std::chrono::milliseconds(1);
     Signals signals;
     Progress progress("");
@@ -311,17 +311,17 @@ TEST_F(RunnerTest, FinishedWithoutStatisticsIsTold) {
 }
 
 /// An attempt that never makes a step and ends only when it is killed.
-class HangingLauncher final : public Launcher {
+class HangingLauncher final : public test::LauncherWithoutMemory {
  public:
-  ProcessIdentity start(const LaunchRequest& request) override {
+  Handle start(const LaunchRequest& request) override {
     running_.push_back(request.case_id);
-    return this_process();
+    return request.case_id;
   }
   std::vector<EndedAttempt> collect() override { return std::exchange(ended_, {}); }
-  void stop(const std::string& case_id, StopLevel level) override {
+  void stop(const std::filesystem::path&, const Handle& handle, StopLevel level) override {
     asked.push_back(level);
-    if (level != StopLevel::kKill || std::erase(running_, case_id) == 0) return;
-    ended_.push_back({case_id, 137});
+    if (level != StopLevel::kKill || std::erase(running_, handle) == 0) return;
+    ended_.push_back({handle, 137});
   }
   [[nodiscard]] bool idle() const override { return running_.empty() && ended_.empty(); }
   std::vector<StopLevel> asked;

@@ -87,7 +87,7 @@ TEST_P(KillTest, LosesNoAcknowledgedRow) {
                      "SELECT count(*) FROM attempts a WHERE (ended IS NOT NULL) <> (2 = (SELECT count(*)"
                      " FROM diagnostics d WHERE d.attempt = a.attempt AND abs(d.value) = a.attempt))"),
               "0");
-    for (const AttemptRecord& open : store.open_attempts())
+    for (const OpenAttempt& open : store.open_attempts())
       store.end_attempt(id, open.attempt, [&] {
         AttemptEnd end = failed_at(open.attempt);
         end.diagnostics = {{"a", open.attempt}, {"b", -open.attempt}};
@@ -120,12 +120,12 @@ TEST(CreationTest, OfTwentyAtOnceAllGetTheSameStore) {
   std::vector<std::unique_ptr<test::ChildProcess>> makers;
   for (int i = 0; i < 20; ++i) {
     makers.push_back(std::make_unique<test::ChildProcess>([&folder, &campaign, i] {
-      return refusal([&] {
-               Store store = Store::open(folder.path(), OpenMode::kCreate);
-               store.record_campaign(campaign_with(campaign.cases[static_cast<std::size_t>(i) % 7]));
-             }) == ""
-                 ? 0
-                 : 1;
+      const std::string why = refusal([&] {
+        Store store = Store::open(folder.path(), OpenMode::kCreate);
+        store.record_campaign(campaign_with(campaign.cases[static_cast<std::size_t>(i) % 7]));
+      });
+      std::fputs(why.c_str(), stderr);
+      return why.empty() ? 0 : 1;
     }));
   }
   for (auto& maker : makers) EXPECT_EQ(maker->wait(), 0);

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
+#include <sstream>
 
 #include "campaign/core/words.hpp"
 #include "campaign/store/store_documentation.hpp"
@@ -149,19 +151,15 @@ TEST(Migration, AFailedStepLeavesTheOldFormat) {
   EXPECT_THAT(refusal([&] { migrate(connection, {}, kSchemaVersion + 1); }), HasSubstr("no way is known"));
 }
 
-/// A store of format 1 as far as it differed: its view of results held every case.
-void make_format_1(Connection& connection) {
-  connection.execute(
-      "DROP VIEW results; DROP VIEW results_all; CREATE VIEW results (label) AS SELECT label FROM cases;"
-      " PRAGMA user_version = 1");
-}
-
+/// A store of format 2 as far as it differed: its view of results held every case.
 TEST(Migration, GivesAnOldStoreTheViewsOfToday) {
   const test::TemporaryFolder folder;
   {
     Store store = Store::open(folder.path(), OpenMode::kCreate);
     store.record_campaign(paper_campaign());
-    make_format_1(store.connection());
+    store.connection().execute(
+        "DROP VIEW results; DROP VIEW results_all; CREATE VIEW results (label) AS SELECT label FROM cases;"
+        " PRAGMA user_version = 2");
   }
   // Whoever only reads sees the present format, and leaves the file as it is.
   Store reader = Store::open(folder.path(), OpenMode::kReadOnly);
@@ -171,7 +169,7 @@ TEST(Migration, GivesAnOldStoreTheViewsOfToday) {
   Store writer = Store::open(folder.path(), OpenMode::kReadWrite);
   EXPECT_EQ(answer(writer, "SELECT count(*) FROM results"), "7");
   EXPECT_EQ(answer(writer, "PRAGMA user_version"), std::to_string(kSchemaVersion));
-  EXPECT_TRUE(std::filesystem::exists(folder.path() / "results.db.format-1"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "results.db.format-2"));
 }
 
 TEST(ResultsView, ShowsTheCampaignAsItIsNow) {
@@ -208,6 +206,37 @@ TEST(Store, KeepsWhatLeftTheSweepApart) {
   EXPECT_EQ(past[0].end.diagnostics, end.diagnostics);
   EXPECT_EQ(past[0].end.step, 3);
   EXPECT_EQ(store.core_hours().at(id), 2.0);
+}
+
+/// A store as softwall 0.1.0 made it, with one attempt at work.
+Connection store_of_format_1() {
+  std::ostringstream sql;
+  sql << std::ifstream(SOFTWALL_STORE_TESTS "/results_format_1.sql").rdbuf();
+  Connection connection = Connection::open_in_memory();
+  connection.execute(sql.str());
+  connection.execute("PRAGMA application_id = " + std::to_string(kApplicationId) +
+                     "; PRAGMA user_version = 1");
+  connection.execute(
+      "INSERT INTO cases (case_id, label, directory, is_precursor, flow, reynolds, grid, cells, end_time, "
+      "ranks,"
+      " physics, run, state_since, created) VALUES ('c', 'l', 'd', 0, 'f', 1, 'g', 1, 1, 1, '{}', '{}', 'n', "
+      "'n');"
+      "INSERT INTO attempts (case_id, attempt, intended, started, pid, host, ranks)"
+      " VALUES ('c', 1, 'i', 's', 4711, 'node', 2)");
+  return connection;
+}
+
+TEST(Migration, AStoreOfTheFirstFormatBecomesOneOfToday) {
+  Connection old = store_of_format_1(), today = Connection::open_in_memory();
+  create_schema(today);
+  migrate(old, migrations(), kSchemaVersion);
+  const char* columns =
+      "SELECT s.name || '.' || c.name || ' ' || c.type FROM sqlite_schema s, pragma_table_xinfo(s.name) c"
+      " WHERE s.type IN ('table', 'view') ORDER BY s.name, c.cid";
+  EXPECT_THAT(column_of(old, columns), ElementsAreArray(column_of(today, columns)));
+  EXPECT_THAT(column_of(old, "SELECT handle FROM attempts"),
+              ElementsAreArray({R"({"host":"node","pid":4711})"}));
+  EXPECT_EQ(old.integer("SELECT count(*) FROM timeline"), 2);
 }
 
 TEST(Migration, AStepExistsFromEveryFormerFormat) {

@@ -84,7 +84,7 @@ TEST_F(StoreTest, RefusesWordsAboutWhatItDoesNotHave) {
               HasSubstr("no case nobody"));
   EXPECT_THAT(refusal([&] { (void)store.begin_attempt("nobody", start); }), HasSubstr("no case nobody"));
   EXPECT_THAT(refusal([&] { store.end_attempt(id, 7, {}); }), HasSubstr("no attempt 7 of case " + id));
-  EXPECT_THAT(refusal([&] { store.attempt_started(id, 7, 1); }), HasSubstr("no attempt 7"));
+  EXPECT_THAT(refusal([&] { store.attempt_started(id, 7, "7"); }), HasSubstr("no attempt 7"));
   EXPECT_THAT(refusal([&] { store.set_stale("nobody", "x"); }), HasSubstr("no case nobody"));
   EXPECT_THAT(refusal([&] { store.forgive("nobody"); }), HasSubstr("no case nobody"));
   EXPECT_THAT(refusal([&] { store.record_result("nobody", result_made_of(1.0), ""); }),
@@ -96,12 +96,11 @@ TEST_F(StoreTest, AnAttemptIsKnownFromItsIntentToItsEnd) {
   EXPECT_EQ(store.begin_attempt(id, start), 1);
   EXPECT_EQ(store.find_case(id)->state, CaseState::kRunning);
   ASSERT_EQ(store.open_attempts().size(), 1U);
-  EXPECT_FALSE(store.open_attempts()[0].pid.has_value());
-  EXPECT_EQ(store.open_attempts()[0].started, "");
+  EXPECT_EQ(store.open_attempts()[0].case_id, id);
+  EXPECT_EQ(answer(store, "SELECT started IS NULL AND handle IS NULL FROM attempts"), "1");
 
-  store.attempt_started(id, 1, 4711);
-  EXPECT_EQ(store.open_attempts()[0].pid, 4711);
-  EXPECT_NE(store.open_attempts()[0].started, "");
+  store.attempt_started(id, 1, "job 4711");
+  EXPECT_EQ(answer(store, "SELECT handle FROM attempts WHERE started IS NOT NULL"), "job 4711");
 
   AttemptEnd end;
   end.outcome = AttemptOutcome::kInterrupted;
