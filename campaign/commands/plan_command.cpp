@@ -48,6 +48,10 @@ PlannedCampaign plan_all(const LoadedCampaign& loaded) {
     planned.cases.push_back({&one, decisions[i], estimate(one.definition, ns, reached)});
   }
   planned.ready = preflight(loaded, observations, *launcher);
+  for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
+    const std::string& why = planned.ready.blocked[i];
+    if (!why.empty()) planned.cases[i].decision = {campaign.cases[i].definition.id, Outlook::kBlocked, why};
+  }
   planned.wall_seconds = remaining_seconds(campaign, observations, {}, campaign.execution.cores);
   planned.left_behind = left_behind(loaded);
   return planned;
@@ -121,7 +125,8 @@ ExitStatus show_plan(const std::filesystem::path& path, bool json) {
   const LoadedCampaign loaded = load_campaign(path);
   const PlannedCampaign planned = plan_all(loaded);
   json ? print_json(loaded, planned) : print_text(loaded, planned);
-  require_nothing_in_the_way(planned.ready, loaded.folder);  // run would refuse in these words
+  if (!planned.ready.mistakes.empty())  // run would refuse in these words
+    std::cerr << printable_lines(refusal(planned.ready, loaded.folder).what()) << "\n";
   return ExitStatus::kDone;
 }
 

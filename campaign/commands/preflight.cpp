@@ -93,18 +93,23 @@ std::vector<std::string> missing_programs(const fs::path& solver) {
   return missing;
 }
 
-/// The obstacles of every case that is yet to be started, each told once.
-std::vector<Mistake> obstacles_of_cases(const Campaign& campaign, const std::vector<Decision>& decisions,
-                                        const Machine& machine) {
+/// The obstacles of every case that is yet to be started; in the list each is told once.
+void add_obstacles_of_cases(const Campaign& campaign, const std::vector<Decision>& decisions,
+                            const Machine& machine, Preflight& result) {
   CaseMistakes mistakes;
   std::size_t cases = 0;
+  result.blocked.resize(campaign.cases.size());
   for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
     const CampaignCase& one = campaign.cases[i];
     if (!may_start(decisions[i].outlook)) continue;
     ++cases;
-    mistakes.add(one.definition.label, "", obstacles(one, campaign.execution, machine));
+    auto found = obstacles(one, campaign.execution, machine);
+    if (!found.empty())
+      result.blocked[i] =
+          "cannot be run here: " + found[0].where + ": " + found[0].given + "; " + found[0].allowed;
+    mistakes.add(one.definition.label, "", std::move(found));
   }
-  return mistakes.all(cases);
+  for (Mistake& mistake : mistakes.all(cases)) result.mistakes.push_back(std::move(mistake));
 }
 
 /// What would become of the cases on a machine with any number of cores.
@@ -134,8 +139,7 @@ Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>
     for (const Mistake& mistake : error.mistakes)
       result.mistakes.push_back({error.source, mistake.given, mistake.allowed});
   }
-  for (Mistake& mistake : obstacles_of_cases(campaign, decisions, machine))
-    result.mistakes.push_back(std::move(mistake));
+  add_obstacles_of_cases(campaign, decisions, machine, result);
   result.disk_bytes = disk_bytes(campaign, observations);
   result.disk_free_bytes = static_cast<double>(fs::space(loaded.folder).available);
   result.memory_bytes = memory_side_by_side(campaign, decisions);
@@ -153,9 +157,12 @@ Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>
   return result;
 }
 
+BadInput refusal(const Preflight& preflight, const fs::path& folder) {
+  return {folder.string() + " cannot be run here", preflight.mistakes};
+}
+
 void require_nothing_in_the_way(const Preflight& preflight, const fs::path& folder) {
-  if (!preflight.mistakes.empty())
-    throw BadInput(folder.string() + " cannot be run here", preflight.mistakes);
+  if (!preflight.mistakes.empty()) throw refusal(preflight, folder);
 }
 
 void require_writable(const fs::path& folder) {

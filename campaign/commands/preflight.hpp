@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "campaign/commands/campaign_folder.hpp"
@@ -13,8 +14,9 @@
 namespace softwall::campaign {
 
 struct Preflight {
-  std::vector<Mistake> mistakes;  ///< what is in the way; empty: nothing
-  double disk_bytes = 0.0;        ///< that the checkpoints still to be written take
+  std::vector<Mistake> mistakes;     ///< what is in the way; empty: nothing
+  std::vector<std::string> blocked;  ///< by case: why it cannot be started here; empty: it can
+  double disk_bytes = 0.0;           ///< that the checkpoints still to be written take
   double disk_free_bytes = 0.0;
   double memory_bytes = 0.0;  ///< of the cases at work side by side, at most
   double machine_memory_bytes = 0.0;
@@ -25,7 +27,10 @@ struct Preflight {
 [[nodiscard]] Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>& observations,
                                   Launcher& launcher);
 
-/// Throws BadInput with all that is in the way.
+/// All that is in the way, in the words in which a run is refused.
+[[nodiscard]] BadInput refusal(const Preflight& preflight, const std::filesystem::path& folder);
+
+/// Throws it if there is any.
 void require_nothing_in_the_way(const Preflight& preflight, const std::filesystem::path& folder);
 
 /// Whether a case is yet to be started, now or after its precursor.
