@@ -31,11 +31,20 @@ void write_through(const fs::path& file, std::string_view contents) {
   if (!out.close()) fail(file);
 }
 
+/// The file that a chain of links leads to, whether it is there yet or not.
+fs::path behind_links(fs::path file) {
+  constexpr int kLongestChain = 40;  // as the kernel
+  std::error_code unknown;
+  for (int i = 0; i < kLongestChain && fs::is_symlink(file, unknown); ++i)
+    file = file.parent_path() / fs::read_symlink(file, unknown);
+  return file;
+}
+
 }  // namespace
 
 void write_output(const fs::path& named, std::string_view contents) {
   std::error_code unknown;
-  const fs::path file = fs::is_symlink(named, unknown) ? fs::weakly_canonical(named) : named;
+  const fs::path file = behind_links(named);
   const fs::file_status status = fs::status(file, unknown);
   if (!fs::exists(status)) return write_atomically(file, contents);
   if (fs::is_directory(status)) {

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "campaign/store/backup.hpp"
 #include "campaign/store/store_schema.hpp"
@@ -127,12 +128,18 @@ bool is_about_writing(const SqliteError& error) {
   return error.primary_code() == SQLITE_READONLY || error.primary_code() == SQLITE_CANTOPEN;
 }
 
-/// A store of an earlier format can be read as it is: what the commands ask for is in every format.
+/// Of an earlier format, and not ours to change: whoever only reads reads a copy of the present format.
+Connection of_present_format(Connection connection) {
+  if (schema_version(connection) == kSchemaVersion) return connection;
+  Connection copy = copy_in_memory(connection);
+  migrate(copy, migrations(), kSchemaVersion);
+  return copy;
+}
+
 Connection open_for_reading(const path& file) {
   Connection connection = Connection::open(file, Access::kReadOnly);
   try {
     (void)schema_version(connection);
-    return connection;
   } catch (const SqliteError& error) {
     if (!is_about_writing(error)) throw;
     if (error.code() == SQLITE_READONLY_ROLLBACK && ::access(file.c_str(), W_OK) == 0) {
@@ -141,13 +148,8 @@ Connection open_for_reading(const path& file) {
     } else {
       connection = open_immutable(file);
     }
-    version = schema_version(connection);
   }
-  if (version == kSchemaVersion) return connection;
-  // Of an older format, and not ours to change: whoever only reads reads a copy of the present format.
-  Connection copy = copy_in_memory(connection);
-  migrate(copy, migrations(), kSchemaVersion);
-  return copy;
+  return of_present_format(std::move(connection));
 }
 
 }  // namespace
