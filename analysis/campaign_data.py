@@ -1,7 +1,7 @@
 """What every figure needs: the cases of a campaign folder, their means, and the look of a plot.
 
-Everything is in units of the half height h, the bulk velocity U_b and density 1. Fits (d, k + Dk, DU+) are read
-from results.db and never repeated here: analysis/log_law.cpp has the only one.
+Everything is in units of the half height h, the bulk velocity U_b and density 1. Fits of the log law
+(d, k + Dk, DU+) are read from results.db and never repeated here: analysis/log_law.cpp has the only one.
 """
 
 import argparse

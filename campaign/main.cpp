@@ -12,9 +12,9 @@
 #include "campaign/store/sqlite.hpp"
 #include "campaign/store/text_width.hpp"
 #include "solver/case/bad_input.hpp"
-#include "solver/case/build_info.hpp"
 #include "solver/case/option_number.hpp"
 #include "solver/case/spelling.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 /// softwall: the command line of the campaign manager.
 namespace softwall::campaign {

@@ -6,7 +6,7 @@
 #include "solver/simulation.hpp"
 #include "solver/stop_request.hpp"
 
-// softwall-dns: runs one case under mpirun. See solver/case/exit_codes.hpp for what it returns.
+// softwall-dns: runs one case under mpirun. See solver/run_directory/exit_codes.hpp for what it returns.
 
 namespace {
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <sstream>
 
-#include "solver/case/build_info.hpp"
 #include "solver/case/time_comparison.hpp"
 #include "solver/fluid/stability.hpp"
 #include "solver/output/agree.hpp"
@@ -20,6 +19,8 @@
 #include "solver/output/snapshot.hpp"
 #include "solver/parallel/reduce.hpp"
 #include "solver/pressure/projection.hpp"
+#include "solver/run_directory/build_info.hpp"
+#include "solver/run_directory/statistics_file.hpp"
 #include "solver/statistics/solid_health.hpp"
 #include "solver/stop_request.hpp"
 #include "solver/time/closed_box.hpp"
@@ -196,8 +197,8 @@ ExitCode Simulation::finish(const Decision& last) {
   summarise(code, reason);
   write_status();
   std::ostringstream line;
-  line << output::outcome_of(code) << " (" << reason << ") at step " << state_.step << ", time "
-       << state_.time << " of " << case_.run.end_time << "; " << pace_.steps() << " steps, "
+  line << outcome_of(code) << " (" << reason << ") at step " << state_.step << ", time " << state_.time
+       << " of " << case_.run.end_time << "; " << pace_.steps() << " steps, "
        << pace_.ns_per_cell_step(setup_.grid.cells()) << " ns per cell and step";
   say(line.str());
   if (options_.profile) {
@@ -224,10 +225,18 @@ void Simulation::write_status() {
   if (world_.rank() != 0) return;
   const std::string limit = last_step_.limit;
   try {
-    output::write_status(options_.files,
-                         {case_.id, options_.attempt, world_.size(), state_.step, state_.time,
-                          case_.run.end_time, last_step_.dt, limit == "convection" ? "advection" : limit,
-                          pace_.seconds_per_step(), checkpoint_step_});
+    Status s;
+    s.case_id = case_.id;
+    s.attempt = options_.attempt;
+    s.ranks = world_.size();
+    s.step = state_.step;
+    s.time = state_.time;
+    s.end_time = case_.run.end_time;
+    s.dt = last_step_.dt;
+    s.dt_limit = limit == "convection" ? "advection" : limit;
+    s.seconds_per_step = pace_.seconds_per_step();
+    s.checkpoint_step = checkpoint_step_;
+    output::write_status(options_.files, s);
   } catch (const std::system_error& error) {
     say(std::string("cannot write the status: ") + error.what());
   }
@@ -253,22 +262,22 @@ std::map<std::string, double> Simulation::diagnostics() {
 }
 
 void Simulation::summarise(ExitCode code, const std::string& reason) {
-  output::Summary s{case_.id,
-                    options_.attempt,
-                    world_.size(),
-                    code,
-                    reason,
-                    state_.step,
-                    state_.time,
-                    case_.run.end_time,
-                    pace_.steps(),
-                    output::Timer::seconds_since(options_.started),
-                    pace_.ns_per_cell_step(setup_.grid.cells()),
-                    checkpoint_step_ < 0 ? "" : relative(options_.files.checkpoint(checkpoint_step_)),
-                    resumed_from_,
-                    started_,
-                    diagnostics()};
-  agree_on_root(world_, ExitCode::kFailed, [&] { output::write_summary(options_.files, s); });
+  Summary s;
+  s.case_id = case_.id;
+  s.attempt = options_.attempt;
+  s.ranks = world_.size();
+  s.reason = reason;
+  s.step = state_.step;
+  s.time = state_.time;
+  s.end_time = case_.run.end_time;
+  s.attempt_steps = pace_.steps();
+  s.wall_seconds = output::Timer::seconds_since(options_.started);
+  s.ns_per_cell_step = pace_.ns_per_cell_step(setup_.grid.cells());
+  if (checkpoint_step_ >= 0) s.checkpoint = relative(options_.files.checkpoint(checkpoint_step_));
+  s.resumed_from = resumed_from_;
+  s.started = started_;
+  s.diagnostics = diagnostics();
+  agree_on_root(world_, ExitCode::kFailed, [&] { output::write_summary(options_.files, code, s); });
 }
 
 std::string Simulation::relative(const std::filesystem::path& file) const {

@@ -15,9 +15,9 @@
 #include "campaign/core/machine.hpp"
 #include "campaign/system/find_program.hpp"
 #include "solver/case/bad_input.hpp"
-#include "solver/case/checkpoint_size.hpp"
 #include "solver/case/file_descriptor.hpp"
-#include "solver/case/programs.hpp"
+#include "solver/run_directory/checkpoint_size.hpp"
+#include "solver/run_directory/programs.hpp"
 
 namespace softwall::campaign {
 namespace {

@@ -16,7 +16,7 @@
 #include "campaign/store/store_schema.hpp"
 #include "campaign/store/text_width.hpp"
 #include "solver/case/atomic_file.hpp"
-#include "solver/case/build_info.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
 namespace {

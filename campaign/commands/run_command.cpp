@@ -11,7 +11,7 @@
 #include "campaign/store/query.hpp"
 #include "campaign/store/text_width.hpp"
 #include "campaign/system/shell_words.hpp"
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "campaign/core/campaign.hpp"
-#include "campaign/core/solver_status.hpp"
+#include "solver/run_directory/status.hpp"
 
 namespace softwall::campaign {
 

@@ -23,7 +23,7 @@
 #include "solver/case/bad_input.hpp"
 #include "solver/case/file_descriptor.hpp"
 #include "solver/case/json_text.hpp"
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
 namespace {

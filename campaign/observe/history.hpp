@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "campaign/core/attempt.hpp"
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 /// history.json of a run directory: every attempt that has ended, as the store has them, so that a store made
 /// again knows what a case has cost.

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "campaign/core/checkpoint_record.hpp"
-#include "solver/case/checkpoint_header.hpp"
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
 

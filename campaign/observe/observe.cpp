@@ -15,10 +15,10 @@
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/system/process_identity.hpp"
 #include "solver/case/bad_input.hpp"
-#include "solver/case/checkpoint_header.hpp"
-#include "solver/case/exit_codes.hpp"
 #include "solver/case/file_descriptor.hpp"
 #include "solver/case/time_comparison.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
+#include "solver/run_directory/exit_codes.hpp"
 
 namespace softwall::campaign {
 namespace {

@@ -7,7 +7,7 @@
 #include "campaign/core/attempt.hpp"
 #include "campaign/core/campaign.hpp"
 #include "campaign/launch/launcher.hpp"
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 /// What the run directories say. Only reads.
 namespace softwall::campaign {

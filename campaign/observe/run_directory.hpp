@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "solver/case/case.hpp"
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "campaign/core/solver_status.hpp"
 #include "campaign/runner/stop_ladder.hpp"
+#include "solver/run_directory/status.hpp"
 
 namespace softwall::campaign {
 

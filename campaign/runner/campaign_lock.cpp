@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/system/process_identity.hpp"
-#include "solver/case/build_info.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
 namespace {

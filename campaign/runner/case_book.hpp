@@ -10,7 +10,7 @@
 #include "campaign/observe/ladder.hpp"
 #include "campaign/runner/progress.hpp"
 #include "campaign/store/store.hpp"
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
 

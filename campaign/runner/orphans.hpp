@@ -7,7 +7,7 @@
 #include "campaign/runner/progress.hpp"
 #include "campaign/runner/stop_ladder.hpp"
 #include "campaign/system/signals.hpp"
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
 

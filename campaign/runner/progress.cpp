@@ -7,7 +7,7 @@
 
 #include "campaign/store/text_width.hpp"
 #include "campaign/system/clock.hpp"
-#include "solver/case/build_info.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
 namespace {

@@ -13,7 +13,7 @@
 #include "campaign/runner/wording.hpp"
 #include "campaign/store/import_results.hpp"
 #include "campaign/system/clock.hpp"
-#include "solver/case/build_info.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "campaign/core/attempt.hpp"
 #include "campaign/core/campaign.hpp"
-#include "campaign/core/solver_status.hpp"
 #include "campaign/observe/ladder.hpp"
+#include "solver/run_directory/status.hpp"
 
 /// What the runner says to people.
 namespace softwall::campaign {

@@ -4,12 +4,12 @@
 #include <stdexcept>
 
 #include "analysis/derived.hpp"
-#include "analysis/statistics_file.hpp"
 #include "campaign/observe/history.hpp"
 #include "campaign/observe/ladder.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
-#include "solver/case/build_info.hpp"
+#include "solver/run_directory/build_info.hpp"
+#include "solver/run_directory/statistics_file.hpp"
 
 namespace softwall::campaign {
 namespace {

@@ -5,7 +5,7 @@
 #include "campaign/core/campaign.hpp"
 #include "campaign/launch/launcher.hpp"
 #include "campaign/store/store.hpp"
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 /// From run directories into the store. Every function may be repeated at any time: it leaves the same rows.
 namespace softwall::campaign {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/core/words.hpp"
-#include "solver/case/build_info.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
 

@@ -1,5 +1,5 @@
 #include "campaign/store/store.hpp"
-#include "solver/case/build_info.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
 

@@ -11,7 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "solver/case/build_info.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
 namespace {

@@ -25,6 +25,11 @@ class Libraries(unittest.TestCase):
         self.assertTrue(any(name.startswith("libc.so") for name in libraries), libraries)
         self.assertEqual([name for name in libraries if HEAVY.match(name)], [])
 
+    @unittest.skipUnless(os.environ.get("HAS_SERIAL_HDF5") == "1", "HDF5 without MPI is not installed")
+    def test_the_manager_starts_without_mpi(self):
+        libraries = libraries_of(os.environ["SOFTWALL"])
+        self.assertEqual([name for name in libraries if re.match(r"lib(mpi|open-rte|open-pal)", name)], [])
+
     def test_the_pattern_knows_the_libraries_it_looks_for(self):
         libraries = libraries_of(os.environ["SOFTWALL"])
         self.assertTrue(any(name.startswith("libsqlite3") for name in libraries if HEAVY.match(name)), libraries)

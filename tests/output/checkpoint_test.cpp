@@ -2,9 +2,9 @@
 
 #include <fstream>
 
-#include "solver/case/checkpoint_size.hpp"
 #include "solver/output/checkpoint_reader.hpp"
 #include "solver/output/checkpoints.hpp"
+#include "solver/run_directory/checkpoint_size.hpp"
 #include "solver/time/initial.hpp"
 #include "tests/output/sample_state.hpp"
 #include "tests/output/shared_folder.hpp"

@@ -7,8 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include "solver/case/checkpoint_header.hpp"
 #include "solver/output/checkpoint_reader.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
 #include "tests/restart/solver_run.hpp"
 
 // A run that was stopped for any reason and resumed gives, on the same number of ranks, the same bits as one

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <thread>
 
-#include "solver/case/checkpoint_header.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
 
 namespace softwall::support {
 

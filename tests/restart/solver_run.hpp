@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 /// The real softwall-dns under the real mpirun, in a run directory of its own.
 namespace softwall::support {

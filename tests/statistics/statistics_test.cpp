@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/statistics_file.hpp"
+#include "solver/run_directory/statistics_checks.hpp"
 #include "solver/statistics/interface_height.hpp"
 #include "solver/statistics/profiles.hpp"
 #include "solver/statistics/solid_health.hpp"

@@ -12,8 +12,8 @@
 #include "campaign/launch/scratch.hpp"
 #include "campaign/system/clock.hpp"
 #include "campaign/system/process_identity.hpp"
-#include "solver/case/exit_codes.hpp"
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/exit_codes.hpp"
+#include "solver/run_directory/run_files.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -8,9 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "solver/case/checkpoint_digest.hpp"
-#include "solver/case/checkpoint_header.hpp"
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/checkpoint_digest.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 /// Run directories written by hand, as the solver would leave them.
 namespace softwall::test {

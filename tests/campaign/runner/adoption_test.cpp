@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <chrono>
 
-#include "analysis/statistics_file.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/runner/runner.hpp"
+#include "solver/run_directory/statistics_file.hpp"
 #include "tests/analysis/samples.hpp"
 #include "tests/campaign/core/examples.hpp"
 #include "tests/campaign/observe/run_directory_files.hpp"

@@ -8,9 +8,9 @@
 #include <thread>
 #include <utility>
 
-#include "analysis/statistics_file.hpp"
 #include "campaign/observe/observe.hpp"
-#include "solver/case/exit_codes.hpp"
+#include "solver/run_directory/exit_codes.hpp"
+#include "solver/run_directory/statistics_file.hpp"
 #include "tests/analysis/samples.hpp"
 #include "tests/campaign/core/examples.hpp"
 #include "tests/campaign/observe/run_directory_files.hpp"

@@ -1,4 +1,4 @@
-#include "analysis/hdf5_image.hpp"
+#include "solver/run_directory/hdf5_image.hpp"
 
 #include <array>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "analysis/quantities.hpp"
+#include "solver/run_directory/quantities.hpp"
 
 #include <map>
 

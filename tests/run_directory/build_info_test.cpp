@@ -1,4 +1,4 @@
-#include "solver/case/build_info.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "analysis/statistics_file.hpp"
+#include "solver/run_directory/block_statistics.hpp"
 
 /// The vocabulary of statistics.h5: what each known profile and series is called, its unit and its meaning.
 /// Solver, reader and plots agree on these names and on nothing else.

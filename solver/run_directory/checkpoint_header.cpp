@@ -1,4 +1,4 @@
-#include "solver/case/checkpoint_header.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -15,10 +15,10 @@
 
 #include "solver/case/bad_input.hpp"
 #include "solver/case/case_id.hpp"
-#include "solver/case/checkpoint_digest.hpp"
 #include "solver/case/file_descriptor.hpp"
 #include "solver/case/hexadecimal.hpp"
 #include "solver/case/json_text.hpp"
+#include "solver/run_directory/checkpoint_digest.hpp"
 
 namespace softwall {
 namespace {

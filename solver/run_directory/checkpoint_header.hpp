@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/case/checkpoint_digest.hpp"
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/checkpoint_digest.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 /// A checkpoint is an HDF5 file with a user block of 4096 bytes in front: one JSON object, padded with
 /// spaces, ended by a newline. The block says which case and step the file holds and carries a digest of all

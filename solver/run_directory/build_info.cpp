@@ -1,4 +1,4 @@
-#include "solver/case/build_info.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 #include <unistd.h>
 
@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <ctime>
 
-#include "solver/case/git_revision.hpp"
+#include "solver/run_directory/git_revision.hpp"
 
 namespace softwall {
 

@@ -1,4 +1,4 @@
-#include "solver/case/checkpoint_header.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
 
 #include <gtest/gtest.h>
 #include <xxhash.h>

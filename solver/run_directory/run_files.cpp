@@ -1,4 +1,4 @@
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 #include <array>
 #include <cinttypes>

@@ -1,13 +1,14 @@
-#include "analysis/statistics_file.hpp"
+#include "solver/run_directory/statistics_file.hpp"
 
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 
-#include "analysis/file_seal.hpp"
-#include "analysis/hdf5_image.hpp"
-#include "analysis/quantities.hpp"
 #include "solver/case/atomic_file.hpp"
+#include "solver/run_directory/file_seal.hpp"
+#include "solver/run_directory/hdf5_image.hpp"
+#include "solver/run_directory/quantities.hpp"
+#include "solver/run_directory/statistics_checks.hpp"
 
 // The file is built in memory and written in one go, sealed by length and checksum (file_seal.hpp): HDF5
 // never touches the disk, so a kill cannot leave half a file and a damaged file cannot crash HDF5. The price

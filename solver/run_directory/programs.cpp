@@ -1,4 +1,4 @@
-#include "solver/case/programs.hpp"
+#include "solver/run_directory/programs.hpp"
 
 namespace softwall {
 

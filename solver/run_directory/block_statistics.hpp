@@ -1,15 +1,13 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
-/// statistics.h5: what the solver has averaged so far, block by block. The solver writes it, the manager and
-/// the plotting scripts read it. Every number is the time-weighted MEAN over its block; a block that is still
-/// being filled is stored like the others, its weight says how much of it has been sampled. Units: half
-/// height h, bulk velocity U_b, density rho.
+/// What the solver has averaged so far, block by block; statistics.h5 holds it. Every number is the
+/// time-weighted MEAN over its block; a block that is still being filled is stored like the others, its
+/// weight says how much of it has been sampled. Units: half height h, bulk velocity U_b, density rho.
 namespace softwall::analysis {
 
 enum class Location { kCenter, kFace };  ///< y_center (ny values) or y_face (ny + 1 values, walls included)
@@ -35,7 +33,8 @@ struct BlockStatistics {
       weight;  ///< per block: times of its two ends, and the time sampled in between
   std::map<std::string, Profile> profiles;
   std::map<std::string, std::vector<double>> series;  ///< one value a block
-  /// Unit and description of names that analysis/quantities.hpp does not know; known names need none here.
+  /// Unit and description of names that solver/run_directory/quantities.hpp does not know; known names need
+  /// none here.
   std::map<std::string, Meaning> meanings;
 
   [[nodiscard]] std::size_t blocks() const { return start.size(); }
@@ -43,18 +42,5 @@ struct BlockStatistics {
     return location == Location::kCenter ? y_center.size() : y_face.size();
   }
 };
-
-/// Every inconsistency of `statistics`, one sentence each; empty when there is none.
-[[nodiscard]] std::vector<std::string> mistakes(const BlockStatistics& statistics);
-
-/// Replace `path` by these statistics: temporary, fsync, rename, fsync of the folder, so that a reader sees
-/// the old or the new file and never half of one. Plain serial HDF5; MPI need not be initialised. Throws
-/// std::runtime_error naming the file and what is wrong.
-void write_statistics(const std::filesystem::path& path, const BlockStatistics& statistics);
-
-/// Read what write_statistics wrote, bit for bit.
-/// Throws std::runtime_error naming the file and what is wrong with it; never trusts a size that it has not
-/// checked.
-[[nodiscard]] BlockStatistics read_statistics(const std::filesystem::path& path);
 
 }  // namespace softwall::analysis

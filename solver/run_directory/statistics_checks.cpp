@@ -2,8 +2,8 @@
 #include <cmath>
 #include <functional>
 
-#include "analysis/quantities.hpp"
-#include "analysis/statistics_file.hpp"
+#include "solver/run_directory/quantities.hpp"
+#include "solver/run_directory/statistics_checks.hpp"
 
 namespace softwall::analysis {
 namespace {

@@ -1,4 +1,4 @@
-#include "solver/case/checkpoint_size.hpp"
+#include "solver/run_directory/checkpoint_size.hpp"
 
 #include <cstddef>
 

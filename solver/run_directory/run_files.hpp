@@ -12,6 +12,7 @@ struct RunFiles {
   std::filesystem::path directory;
 
   [[nodiscard]] std::filesystem::path case_file() const { return directory / "case.json"; }
+  [[nodiscard]] std::filesystem::path run_record() const { return directory / "run.json"; }
   [[nodiscard]] std::filesystem::path status() const { return directory / "status.json"; }
   [[nodiscard]] std::filesystem::path summary() const { return directory / "summary.json"; }
   [[nodiscard]] std::filesystem::path statistics() const { return directory / "statistics.h5"; }

@@ -1,4 +1,4 @@
-#include "solver/case/checkpoint_digest.hpp"
+#include "solver/run_directory/checkpoint_digest.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

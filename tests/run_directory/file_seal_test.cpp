@@ -1,4 +1,4 @@
-#include "analysis/file_seal.hpp"
+#include "solver/run_directory/file_seal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "analysis/statistics_file.hpp"
+#include "solver/run_directory/statistics_file.hpp"
 
 #include <gtest/gtest.h>
 #include <hdf5.h>
@@ -9,9 +9,9 @@
 #include <limits>
 #include <thread>
 
-#include "analysis/file_seal.hpp"
-#include "analysis/hdf5_image.hpp"
-#include "samples.hpp"
+#include "solver/run_directory/file_seal.hpp"
+#include "solver/run_directory/hdf5_image.hpp"
+#include "tests/analysis/samples.hpp"
 
 namespace softwall::analysis {
 namespace {
