@@ -1,8 +1,9 @@
--- The results store of a campaign, format 2: <campaign directory>/results.db.
+-- The results store of a campaign, format 3: <campaign directory>/results.db.
 --
 -- Written by `softwall` only; read it with `softwall query DIR "SQL"` or with sqlite3. Start with the view
 -- `results`. application_id and user_version are set by campaign/store/store_schema.cpp in the transaction that runs
--- this file; schemas/migrations/from_<format>.sql takes a store of an earlier format to the next.
+-- this file; schemas/migrations/from_<format>.sql takes the tables of a store of an earlier format to the next, and
+-- its views are made anew.
 --
 -- The comment behind a column, "[unit] meaning", is its documentation: it is copied into the table `documentation`,
 -- and a test fails when a column has none. Unit "-": none. Times of day are ISO 8601 UTC text. Lengths in h,
@@ -125,8 +126,11 @@ CREATE TABLE documentation (
   PRIMARY KEY (object, column_name)
 ) STRICT;
 
--- The result of the campaign: one row a case, precursor first. X_ci95 is the half width of X's 95 % interval.
-CREATE VIEW results (
+-- Views. They are made anew whenever a store of an earlier format is opened.
+
+-- The results of all cases that the store knows, one row a case, precursor first; also of those that earlier
+-- versions of the campaign file asked for. X_ci95 is the half width of X's 95 % interval.
+CREATE VIEW results_all (
   case_id,            -- [-] hash of the physical parameters
   label,              -- [-] for people
   G,                  -- [rho U_b^2] modulus of transverse elasticity; NULL: rigid precursor
@@ -195,6 +199,9 @@ SELECT c.case_id, c.label, c.G, c.viscosity_ratio,
   p.analysis_version, p.git_revision, c.in_campaign
 FROM cases c LEFT JOIN pivot p ON p.case_id = c.case_id
 ORDER BY c.is_precursor DESC, c.viscosity_ratio = 1 DESC, c.viscosity_ratio, c.G DESC, c.case_id;
+
+-- The result of the campaign: the rows of results_all that are part of the campaign as it is now.
+CREATE VIEW results AS SELECT * FROM results_all WHERE in_campaign = 1;
 
 -- Every launch, in the order of the decisions, with the case's label.
 CREATE VIEW attempt_history (

@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "solver/case/time_comparison.hpp"
 #include "solver/fluid/stability.hpp"
 #include "solver/output/agree.hpp"
 #include "solver/output/checkpoint_reader.hpp"
@@ -94,7 +95,7 @@ ExitCode Simulation::run() {
   if (state_.step == 0 && case_.run.field_interval > 0 && is_closed_box(case_.physics.flow)) {
     output::write_snapshot(options_.files, state_, setup_);  // what later shapes are compared with
   }
-  while (!next.stop() && state_.time < case_.run.end_time) {
+  while (!next.stop() && !has_reached(state_.time, case_.run.end_time)) {
     const double time_before = state_.time;
     step(next.convection_rate);
     next = decide();
@@ -170,7 +171,8 @@ void Simulation::checkpoint() {
 
 void Simulation::snapshot(double time_before) {
   const double interval = case_.run.field_interval;
-  if (interval <= 0 || std::floor(state_.time / interval) == std::floor(time_before / interval)) return;
+  if (interval <= 0 || intervals_passed(state_.time, interval) == intervals_passed(time_before, interval))
+    return;
   const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   output::write_snapshot(options_.files, state_, setup_);
 }
@@ -188,10 +190,10 @@ void Simulation::write_results() {
 ExitCode Simulation::finish(const Decision& last) {
   report();
   write_results();
-  const bool finished = state_.time >= case_.run.end_time;
+  const bool finished = has_reached(state_.time, case_.run.end_time);
   const ExitCode code = finished ? ExitCode::kDone : ExitCode::kInterrupted;
   std::string reason = "end time reached";
-  if (!finished) reason = last.signal != 0 ? "signal " + std::to_string(last.signal) : "wall-clock limit";
+  if (!finished) reason = last.signal != 0 ? describe_stop_signal(last.signal) : "wall-clock limit";
   summarise(code, reason);
   write_status();
   std::ostringstream line;

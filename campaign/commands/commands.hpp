@@ -33,6 +33,9 @@ enum class OutputFormat { kText, kCsv, kJson };
 /// in full. Changes nothing.
 [[nodiscard]] ExitStatus verify_campaign(const std::filesystem::path& path,
                                          const std::optional<std::string>& chosen);
+/// Lists the cases that are no longer part of the campaign; removes their run directories and what the store
+/// knows of them only when that is asked for.
+[[nodiscard]] ExitStatus clean_campaign(const std::filesystem::path& path, bool really);
 [[nodiscard]] ExitStatus rebuild_store(const std::filesystem::path& path);
 
 }  // namespace softwall::campaign

@@ -20,6 +20,8 @@
 #include "campaign/store/result_table.hpp"
 #include "campaign/store/store.hpp"
 #include "campaign/system/clock.hpp"
+#include "campaign/system/shell_words.hpp"
+#include "solver/case/time_comparison.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -34,13 +36,7 @@ struct Snapshot {
 Snapshot look(const LoadedCampaign& loaded) {
   Snapshot now;
   now.owner = living_owner(loaded.folder);
-  const Execution& execution = loaded.campaign.execution;
-  const auto launcher = make_launcher(execution.launcher);
-  now.observations = observe_all(loaded.campaign, loaded.folder, *launcher);
-  if (std::filesystem::exists(store_path(loaded.folder))) {
-    const Store store = Store::open(loaded.folder, OpenMode::kReadOnly);
-    for (Observation& seen : now.observations) seen = with_history(seen, store);
-  }
+  now.observations = observe_with_history(loaded, *make_launcher(loaded.campaign.execution.launcher));
   for (std::size_t i = 0; i < now.observations.size(); ++i) {
     if (!now.observations[i].running) continue;
     const CampaignCase& one = loaded.campaign.cases[i];
@@ -48,8 +44,8 @@ Snapshot look(const LoadedCampaign& loaded) {
       now.working[one.definition.id] = *status;
     }
   }
-  now.seconds_left = remaining_seconds(loaded.campaign, now.observations, now.working,
-                                       cores_to_use(execution.cores, *launcher));
+  now.seconds_left =
+      remaining_seconds(loaded.campaign, now.observations, now.working, loaded.campaign.execution.cores);
   return now;
 }
 
@@ -92,7 +88,7 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now) {
     const auto [time, step] = reached(now, seen);
     table.rows.push_back(
         {loaded.campaign.cases[i].definition.label, std::string(word_of(seen.state)), short_number(time),
-         short_number(seen.end_time), static_cast<std::int64_t>(100 * time / seen.end_time), step,
+         short_number(seen.end_time), static_cast<std::int64_t>(percent_done(time, seen.end_time)), step,
          std::int64_t{seen.attempts}, seen.state == CaseState::kFinished ? std::string() : seen.reason});
   }
   write_table(std::cout, table, TableFormat::kText);
@@ -101,7 +97,7 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now) {
   if (now.owner) {
     std::cout << "Run by " << *now.owner << "." << std::endl;
   } else if (now.seconds_left > 0) {
-    std::cout << "Nobody runs it now. To go on:  softwall resume " << loaded.folder.string() << std::endl;
+    std::cout << "Nobody runs it now. To go on:  " << softwall_command("resume", loaded.named) << std::endl;
   }
 }
 

@@ -48,4 +48,11 @@ struct AttemptEnd {
   std::map<std::string, double> diagnostics;                ///< of summary.json, by name
 };
 
+/// An attempt that has ended.
+struct PastAttempt {
+  int attempt = 0;
+  AttemptStart start;
+  AttemptEnd end;
+};
+
 }  // namespace softwall::campaign

@@ -28,15 +28,18 @@ void CaseMistakes::add(const std::string& label, const std::string& prefix, std:
   }
 }
 
-void CaseMistakes::throw_if_any(const std::string& source, std::size_t cases) const {
-  if (told_.empty()) return;
+std::vector<Mistake> CaseMistakes::all(std::size_t cases) const {
   std::vector<Mistake> all;
   for (const auto& told : told_) {
     Mistake mistake = told.mistake;
     if (told.labels.size() < cases) mistake.allowed += concerned(told.labels);
     all.push_back(std::move(mistake));
   }
-  throw BadInput(source, std::move(all));
+  return all;
+}
+
+void CaseMistakes::throw_if_any(const std::string& source, std::size_t cases) const {
+  if (!told_.empty()) throw BadInput(source, all(cases));
 }
 
 }  // namespace softwall::campaign

@@ -15,7 +15,9 @@ class CaseMistakes {
   /// `prefix` stands in front of each place: "/precursor: ".
   void add(const std::string& label, const std::string& prefix, std::vector<Mistake> mistakes);
 
-  /// Throws BadInput with all of them. `cases`: how many were looked at; what is wrong in all names none.
+  /// All of them. `cases`: how many were looked at; what is wrong in all names none.
+  [[nodiscard]] std::vector<Mistake> all(std::size_t cases) const;
+  /// Throws BadInput with them.
   void throw_if_any(const std::string& source, std::size_t cases) const;
 
  private:

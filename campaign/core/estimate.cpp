@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "solver/case/step_limits.hpp"
+#include "solver/case/time_comparison.hpp"
 #include "solver/case/wall_normal_grid.hpp"
 
 namespace softwall::campaign {
@@ -93,7 +94,9 @@ Estimate estimate(const Case& c, double ns_per_cell_step, double reached) {
   const GridSpec& grid = c.physics.grid;
   Estimate result;
   result.dt = c.physics.time_step.fixed_dt.value_or(step_limits(c.physics).smallest());
-  result.steps = std::ceil(std::max(0.0, c.run.end_time - reached) / result.dt);
+  // Ten steps of 0.1 make 1, although 1 / 0.1 need not be 10 exactly.
+  const double left = has_reached(reached, c.run.end_time) ? 0.0 : c.run.end_time - reached;
+  result.steps = std::ceil(left / result.dt * (1 - kTimeRoundOff));
   result.cells = static_cast<double>(grid.nx) * grid.ny() * grid.nz;
   result.core_hours = result.steps * result.cells * ns_per_cell_step / kNanosecondsPerHour;
   return result;

@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "solver/case/time_comparison.hpp"
+
 namespace softwall::campaign {
 namespace {
 
@@ -50,7 +52,7 @@ class Planner {
   /// A finished case whose end time has since been extended is not finished.
   [[nodiscard]] bool is_finished(const CampaignCase& c) const {
     const Observation seen = observation(c.definition.id);
-    return seen.state == CaseState::kFinished && seen.time >= c.definition.run.end_time;
+    return seen.state == CaseState::kFinished && has_reached(seen.time, c.definition.run.end_time);
   }
 
   /// Why a person must look at this case; empty when it may run.

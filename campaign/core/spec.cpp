@@ -32,6 +32,14 @@ void check_cores(const json& execution, std::vector<Mistake>& mistakes) {
                           "at most the " + std::to_string(cores) + " cores given"});
 }
 
+/// Ranks of a precursor are nobody's where there is none.
+void check_precursor_ranks(const json& document, std::vector<Mistake>& mistakes) {
+  const int ranks = document.at("execution").at("precursor_ranks");
+  if (ranks > 0 && !document.contains("precursor"))
+    mistakes.push_back({"/execution/precursor_ranks", std::to_string(ranks),
+                        "has no effect: this campaign has no precursor, leave it out"});
+}
+
 /// Defaults of the campaign's own members; those of the physics belong to the case and are filled in there,
 /// after the precursor's and the sweep's values have been put over the common ones.
 json filled(const json& document) {
@@ -59,7 +67,10 @@ bool sound(const std::vector<std::string>& parts, const std::vector<Mistake>& mi
 void add_cross_checks(const json& document, std::vector<Mistake>& mistakes) {
   if (sound({"/sweep"}, mistakes))
     for (auto& more : sweep_mistakes(document.at("sweep"))) mistakes.push_back(std::move(more));
-  if (sound({"/execution"}, mistakes)) check_cores(document.at("execution"), mistakes);
+  if (sound({"/execution"}, mistakes)) {
+    check_cores(document.at("execution"), mistakes);
+    check_precursor_ranks(document, mistakes);
+  }
 }
 
 CampaignSpec spec_of_cases(const json& document) {

@@ -103,17 +103,6 @@ std::vector<Point> sweep_points(const json& sweep) {
   return points;
 }
 
-bool is_excluded(const json& exclusions, const json& physics) {
-  const auto has = [&](const auto& named) {
-    const auto& pointer = find_parameter(named.key())->pointer;
-    return physics.contains(pointer) && physics.at(pointer) == named.value();
-  };
-  return std::any_of(exclusions.begin(), exclusions.end(), [&](const json& exclusion) {
-    const auto members = exclusion.items();
-    return std::all_of(members.begin(), members.end(), has);
-  });
-}
-
 std::vector<std::string> swept_pointers(const std::vector<Point>& points) {
   std::set<std::string> pointers;
   for (const auto& point : points)

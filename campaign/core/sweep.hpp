@@ -26,9 +26,6 @@ inline constexpr std::size_t kMostCases = 10000;
 /// excluded ones. A sweep that names nothing is one point without values. Needs a sweep without mistakes.
 [[nodiscard]] std::vector<Point> sweep_points(const nlohmann::json& sweep);
 
-/// Whether these filled physics have all values of one of the exclusions, set by the sweep or not.
-[[nodiscard]] bool is_excluded(const nlohmann::json& exclusions, const nlohmann::json& physics);
-
 /// Every parameter that some point sets.
 [[nodiscard]] std::vector<std::string> swept_pointers(const std::vector<Point>& points);
 

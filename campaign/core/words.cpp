@@ -46,17 +46,22 @@ std::string_view find_word(const std::array<Word<Value>, count>& words, Value va
   return "";  // refused by the CHECK of the table
 }
 
+template <class Value, std::size_t count>
+std::optional<Value> find_value(const std::array<Word<Value>, count>& words, std::string_view word) {
+  for (const auto& entry : words) {
+    if (entry.word == word) return entry.value;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string_view word_of(CaseState state) { return find_word(kStates, state); }
 
 std::string_view word_of(AttemptOutcome outcome) { return find_word(kOutcomes, outcome); }
 
-std::optional<CaseState> state_of(std::string_view word) {
-  for (const auto& entry : kStates) {
-    if (entry.word == word) return entry.value;
-  }
-  return std::nullopt;
-}
+std::optional<CaseState> state_of(std::string_view word) { return find_value(kStates, word); }
+
+std::optional<AttemptOutcome> outcome_of(std::string_view word) { return find_value(kOutcomes, word); }
 
 }  // namespace softwall::campaign

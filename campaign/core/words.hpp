@@ -12,5 +12,6 @@ namespace softwall::campaign {
 [[nodiscard]] std::string_view word_of(CaseState state);
 [[nodiscard]] std::string_view word_of(AttemptOutcome outcome);
 [[nodiscard]] std::optional<CaseState> state_of(std::string_view word);
+[[nodiscard]] std::optional<AttemptOutcome> outcome_of(std::string_view word);
 
 }  // namespace softwall::campaign

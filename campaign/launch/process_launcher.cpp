@@ -22,6 +22,7 @@
 #include "campaign/system/signals.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/file_descriptor.hpp"
+#include "solver/case/json_text.hpp"
 #include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
@@ -122,8 +123,7 @@ std::vector<std::string> launch_arguments(const ProcessLauncher::Programs& progr
   arguments.insert(arguments.end(), {"-n", std::to_string(request.ranks), programs.solver,
                                      request.run_directory, "--attempt", std::to_string(request.attempt)});
   if (request.wall_seconds) {
-    arguments.insert(arguments.end(),
-                     {"--wall-seconds", std::to_string(static_cast<long long>(*request.wall_seconds))});
+    arguments.insert(arguments.end(), {"--wall-seconds", normalised_number(*request.wall_seconds).dump()});
   }
   return arguments;
 }

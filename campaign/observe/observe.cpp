@@ -7,10 +7,16 @@
 #include <cerrno>
 #include <csignal>
 #include <map>
+#include <optional>
+#include <set>
 #include <stdexcept>
 
+#include "campaign/core/label.hpp"
 #include "campaign/observe/run_reports.hpp"
+#include "campaign/system/process_identity.hpp"
+#include "solver/case/bad_input.hpp"
 #include "solver/case/file_descriptor.hpp"
+#include "solver/case/time_comparison.hpp"
 #include "solver/run_directory/checkpoint_header.hpp"
 #include "solver/run_directory/exit_codes.hpp"
 
@@ -24,7 +30,7 @@ bool lock_is_held(const std::filesystem::path& file) {
 
 /// Success is the solver's own end record, of this case, at or past the end time; nothing else proves it.
 bool is_finished(const Summary& summary, const CampaignCase& campaign_case) {
-  return summary.outcome == "finished" && summary.time >= campaign_case.definition.run.end_time;
+  return summary.outcome == "finished" && has_reached(summary.time, campaign_case.definition.run.end_time);
 }
 
 void observe_checkpoints(const RunFiles& run, Observation& observation) {
@@ -133,6 +139,29 @@ AttemptEnd end_from_summary(const Summary& summary, const CampaignCase& campaign
   return end;
 }
 
+constexpr std::size_t kIdDigits = 8;  // of a case id, at the end of its directory's name
+
+/// "cases/<label>-<digits>" by its digits, every one that is there.
+std::multimap<std::string, std::string> existing_directories(const std::filesystem::path& folder) {
+  std::multimap<std::string, std::string> found;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "cases", none)) {
+    const std::string name = entry.path().filename();
+    if (name.size() <= kIdDigits + 1 || name[name.size() - kIdDigits - 1] != '-') continue;
+    if (entry.is_directory(none)) found.emplace(name.substr(name.size() - kIdDigits), "cases/" + name);
+  }
+  return found;
+}
+
+/// Few digits of an id may be those of two cases. A case file that is missing or damaged tells nothing.
+bool may_be_of(const std::filesystem::path& directory, const std::string& case_id) {
+  try {
+    return read_case(RunFiles{directory}.case_file()).id == case_id;
+  } catch (const BadInput&) {
+    return true;
+  }
+}
+
 }  // namespace
 
 RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& campaign_case) {
@@ -213,18 +242,22 @@ AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, 
 }
 
 void keep_existing_directories(Campaign& campaign, const std::filesystem::path& folder) {
-  std::map<std::string, std::string> by_suffix;  // "-<first 8 of the id>" -> directory
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "cases", none)) {
-    const std::string name = entry.path().filename();
-    if (entry.is_directory(none) && name.size() > 9)
-      by_suffix[name.substr(name.size() - 9)] = "cases/" + name;
-  }
+  const auto existing = existing_directories(folder);
+  std::set<std::string> kept;
   for (CampaignCase& one : campaign.cases) {
-    const auto found = by_suffix.find("-" + one.definition.id.substr(0, 8));
-    if (found != by_suffix.end() && !std::filesystem::exists(folder / one.directory))
-      one.directory = found->second;
+    const std::string& id = one.definition.id;
+    const auto [first, last] = existing.equal_range(id.substr(0, kIdDigits));
+    std::optional<std::string> found;
+    for (auto item = first; item != last && found != one.directory; ++item) {
+      const bool has_its_name = item->second == one.directory;
+      if (has_its_name || (!found && may_be_of(folder / item->second, id))) found = item->second;
+    }
+    if (!found) continue;
+    one.directory = *found;
+    one.definition.label = label_in_directory(*found, id);
+    kept.insert(id);
   }
+  make_labels_distinct(campaign, kept);
 }
 
 }  // namespace softwall::campaign

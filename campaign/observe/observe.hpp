@@ -36,7 +36,8 @@ namespace softwall::campaign {
 [[nodiscard]] AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, int attempt,
                                       std::optional<int> exit_code);
 
-/// Labels are for people, ids are identity: a case whose label has changed keeps the directory it has.
+/// Labels are for people, ids are identity: a case that has a directory keeps it, and the label it was run
+/// under, however the sweep names it now.
 void keep_existing_directories(Campaign& campaign, const std::filesystem::path& folder);
 
 }  // namespace softwall::campaign

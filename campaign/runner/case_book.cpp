@@ -5,6 +5,7 @@
 
 #include "campaign/observe/observe.hpp"
 #include "campaign/store/import_results.hpp"
+#include "solver/case/time_comparison.hpp"
 
 namespace softwall::campaign {
 
@@ -44,7 +45,7 @@ void CaseBook::look_at_precursors() {
     if (!one.is_precursor || now.state != CaseState::kFinished || !is_needed(one)) continue;
     const Ladder ladder = check(one);
     now.newest_checkpoint = ladder.newest;
-    if (ladder.newest && ladder.header.time >= one.definition.run.end_time) continue;
+    if (ladder.newest && has_reached(ladder.header.time, one.definition.run.end_time)) continue;
     now.state = CaseState::kInterrupted;
     now.reason = "its last checkpoint was damaged";
     now.step = ladder.newest ? ladder.header.step : 0;
@@ -58,6 +59,14 @@ void CaseBook::give_up(const CampaignCase& one, const std::string& reason) {
 
 void CaseBook::pause(const CampaignCase& one, const std::string& reason) {
   paused_[one.definition.id] = reason;
+}
+
+void CaseBook::pause_unfinished(const std::string& reason) {
+  for (std::size_t i = 0; i < campaign_.cases.size(); ++i) {
+    const CampaignCase& one = campaign_.cases[i];
+    observations_[i] = observe_files(one, files_of(one));
+    if (observations_[i].state != CaseState::kFinished) pause(one, reason);
+  }
 }
 
 Ladder CaseBook::check(const CampaignCase& one) {

@@ -40,6 +40,8 @@ class CaseBook {
   /// Not again in this run: of no use unchanged, or only after something around it has been put right.
   void give_up(const CampaignCase& one, const std::string& reason);
   void pause(const CampaignCase& one, const std::string& reason);
+  /// All that is not finished, looked at anew without the store, which is in trouble.
+  void pause_unfinished(const std::string& reason);
   [[nodiscard]] const std::map<std::string, std::string>& given_up() const { return given_up_; }
   [[nodiscard]] const std::map<std::string, std::string>& paused() const { return paused_; }
 

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "campaign/store/text_width.hpp"
 #include "campaign/system/clock.hpp"
 #include "solver/run_directory/build_info.hpp"
 
@@ -54,7 +55,8 @@ Progress::Progress(const std::filesystem::path& log)
 
 Progress::~Progress() { erase(); }
 
-void Progress::event(const std::string& text, Kind kind) {
+void Progress::event(const std::string& what, Kind kind) {
+  const std::string text = printable(what);  // names may hold anything: one event, one harmless line
   erase();
   const char* colour = colours_ ? colour_of(kind) : "";
   std::fprintf(stderr, "%s  %s%s%s\n", local_time_of_day().c_str(), colour, text.c_str(),
@@ -67,7 +69,7 @@ void Progress::event(const std::string& text, Kind kind) {
 void Progress::draw(const std::string& line) {
   if (!terminal_) return;
   line_ = line;
-  std::fprintf(stderr, "\r\033[K%s", cut(line, terminal_width() - 1).c_str());
+  std::fprintf(stderr, "\r\033[K%s", cut(printable(line), terminal_width() - 1).c_str());
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -19,7 +19,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void event(const std::string& text, Kind kind = Kind::kPlain);
+  void event(const std::string& what, Kind kind = Kind::kPlain);
   /// Redraw the line; nothing happens where standard error is not a terminal.
   void draw(const std::string& line);
   [[nodiscard]] bool on_terminal() const { return terminal_; }

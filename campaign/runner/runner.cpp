@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <system_error>
 
 #include "campaign/core/eta.hpp"
+#include "campaign/observe/history.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_directory.hpp"
 #include "campaign/observe/run_reports.hpp"
@@ -39,7 +41,13 @@ Runner::Runner(Campaign campaign, std::filesystem::path folder, Parts parts, Run
       signals_(parts.signals),
       options_(options),
       book_(with_counted_cores(std::move(campaign), parts.launcher), std::move(folder), parts.store,
-            parts.progress) {}
+            parts.progress) {
+  store_.connection().wait_for_locks([this] { return wait_for_store(); });
+}
+
+Runner::~Runner() {
+  store_.connection().wait_for_locks([] { return false; });  // nobody is left to wait
+}
 
 RunnerReport Runner::run() {
   if (!take_stock()) return report();
@@ -56,9 +64,53 @@ RunnerReport Runner::run() {
       show_progress();
       signals_.wait(options_.poll);
     }
+  } catch (const SqliteError& error) {
+    end_all();
+    if (!error.may_pass()) throw;
+    return pause_for_store(error);
   } catch (...) {
     end_all();
     throw;
+  }
+}
+
+/// Another program holds the store: the solvers go on meanwhile, and what has to be recorded waits. False
+/// when the user has asked to stop and has waited long enough; the run directories hold what was not
+/// recorded.
+bool Runner::wait_for_store() {
+  constexpr double kPauseSeconds = 5.0;  // a longer time without a lock ends the matter
+  const double now = monotonic_seconds();
+  if (now - locked_seen_at_ > kPauseSeconds) {
+    locked_since_ = now;
+    progress_.event("another program holds results.db; waiting for it, the solvers go on",
+                    Progress::Kind::kBad);
+  }
+  locked_seen_at_ = now;
+  if (signals_.stop_requests() > 0) {
+    pass_on_stop();
+    if (now - locked_since_ > options_.store_seconds) return false;
+  } else {
+    locked_since_ = now;
+  }
+  signals_.wait(options_.poll);
+  return true;
+}
+
+/// Nothing is lost: the run directories are the truth, and the next run records from them.
+RunnerReport Runner::pause_for_store(const SqliteError& error) {
+  const std::string reason = std::string("the results store cannot be written: ") + error.what();
+  progress_.event("paused: " + reason, Progress::Kind::kBad);
+  book_.pause_unfinished("paused: " + reason);
+  return report();
+}
+
+/// A history that cannot be written is no reason to stop: the store has it.
+void Runner::keep_history(const CampaignCase& one) {
+  const std::string& id = one.definition.id;
+  try {
+    write_history(book_.files_of(one), id, store_.past_attempts(id));
+  } catch (const std::system_error& error) {
+    progress_.event(one.definition.label + ": " + error.what(), Progress::Kind::kBad);
   }
 }
 
@@ -181,6 +233,7 @@ void Runner::record_end(const EndedAttempt& ended) {
     end.reason = "interrupted before its first step (" + end.reason + ")";
   }
   store_.end_attempt(ended.case_id, watch.attempt, end);
+  keep_history(one);
   record_state(one, end);
 }
 

@@ -22,6 +22,7 @@ struct RunnerOptions {
       1800.0;  ///< an attempt without a new step for this long is ended; much longer than a step
   StopGrace grace;
   std::chrono::milliseconds poll{200};
+  double store_seconds = 10.0;  ///< how long a locked store is waited for once the user has asked to stop
 };
 
 /// Runs a campaign to its end: decides by plan(), starts by the launcher, records in the store.
@@ -36,6 +37,9 @@ class Runner {
   };
 
   Runner(Campaign campaign, std::filesystem::path folder, Parts parts, RunnerOptions options);
+  ~Runner();
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
 
   /// Returns when nothing more can be done or the user asked to stop, and no solver is left. When the manager
   /// itself fails, it lets every solver write a checkpoint before the exception leaves.
@@ -56,6 +60,9 @@ class Runner {
   void pass_on_stop();
   void end_stalled();
   void end_all();
+  [[nodiscard]] bool wait_for_store();
+  [[nodiscard]] RunnerReport pause_for_store(const SqliteError& error);
+  void keep_history(const CampaignCase& one);
   void show_progress();
   [[nodiscard]] RunnerReport report() const;
   [[nodiscard]] int free_cores() const;
@@ -72,6 +79,8 @@ class Runner {
   int stop_passed_on_ = 0;
   double stop_repeat_at_ = 0.0;
   double told_at_ = 0.0;
+  double locked_since_ = 0.0;     ///< monotonic seconds when another program's lock was first in the way
+  double locked_seen_at_ = -1e9;  ///< and when it was last
 };
 
 }  // namespace softwall::campaign

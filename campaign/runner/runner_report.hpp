@@ -14,6 +14,7 @@ struct RunnerReport {
   struct Trouble {
     std::string label;
     std::string reason;
+    std::string directory;  ///< of the case, relative to the campaign's folder
   };
   std::size_t cases = 0;
   std::size_t finished = 0;

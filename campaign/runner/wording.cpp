@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "campaign/system/clock.hpp"
+#include "solver/case/time_comparison.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -68,7 +69,7 @@ std::string describe_progress(const Campaign& campaign, const std::vector<Observ
   for (const CampaignCase& one : campaign.cases) {
     const auto status = working.find(one.definition.id);
     if (status == working.end()) continue;
-    const double percent = 100.0 * status->second.time / one.definition.run.end_time;
+    const double percent = percent_done(status->second.time, one.definition.run.end_time);
     line += separator + one.definition.label + " t=" + short_number(status->second.time) + " " +
             std::to_string(static_cast<int>(percent)) + " %";
     separator = ", ";

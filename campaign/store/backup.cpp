@@ -14,8 +14,10 @@ namespace {
 
 constexpr int kAllPages = -1;
 
-/// Copies into memory: a store is small, and the copy then reaches the disk in one publication.
-Connection copy_of(Connection& source) {
+}  // namespace
+
+/// A store is small, and the copy then reaches the disk in one publication.
+Connection copy_in_memory(Connection& source) {
   Connection copy = Connection::open_in_memory();
   sqlite3_backup* backup = sqlite3_backup_init(copy.handle(), "main", source.handle(), "main");
   if (backup == nullptr) source.fail("cannot back up", sqlite3_extended_errcode(copy.handle()));
@@ -25,10 +27,8 @@ Connection copy_of(Connection& source) {
   return copy;
 }
 
-}  // namespace
-
 void backup_connection(Connection& connection, const std::filesystem::path& destination) {
-  Connection copy = copy_of(connection);
+  Connection copy = copy_in_memory(connection);
   sqlite3_int64 size = 0;
   const std::unique_ptr<unsigned char, void (*)(void*)> bytes(
       sqlite3_serialize(copy.handle(), "main", &size, 0), sqlite3_free);

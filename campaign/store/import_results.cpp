@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "analysis/derived.hpp"
+#include "campaign/observe/history.hpp"
 #include "campaign/observe/ladder.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
@@ -18,6 +19,14 @@ void close_open_attempts(Store& store, const CampaignCase& one, const RunFiles& 
     if (open.case_id != one.definition.id) continue;
     store.end_attempt(open.case_id, open.attempt, describe_end(one, run, open.attempt, std::nullopt));
   }
+}
+
+/// Those that a store which was made again does not know.
+void restore_history(Store& store, const CampaignCase& one, const RunFiles& run) {
+  const std::string& id = one.definition.id;
+  if (store.attempts(id) > 0) return;
+  for (const PastAttempt& past : read_history(run, id))
+    store.restore_attempt(id, past.attempt, past.start, past.end);
 }
 
 /// The newest attempt in a run directory that the store does not know: the store was lost.
@@ -57,6 +66,7 @@ bool is_current(const ResultOrigin& origin, const analysis::DerivedQuantities& d
 void import_history(Store& store, const CampaignCase& one, const RunFiles& run, const Launcher& launcher) {
   const std::string& id = one.definition.id;
   close_open_attempts(store, one, run);
+  restore_history(store, one, run);
   restore_newest_attempt(store, one, run);
   store.record_checkpoints(id, checkpoint_records(run));
   const Observation seen = observe(one, run, launcher);

@@ -104,6 +104,11 @@ ResultTable run_query(const std::filesystem::path& campaign_directory, std::stri
   return fetch(statement);
 }
 
+std::int64_t left_out(const std::filesystem::path& campaign_directory) {
+  return open_store_file(campaign_directory, OpenMode::kReadOnly)
+      .integer("SELECT count(*) FROM results_all WHERE in_campaign = 0 AND window_start IS NOT NULL");
+}
+
 ResultTable export_results(const std::filesystem::path& campaign_directory) {
   return run_query(campaign_directory, "SELECT * FROM results");
 }

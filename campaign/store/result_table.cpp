@@ -85,8 +85,9 @@ void write_text(std::ostream& out, const ResultTable& table) {
 
 void write_csv(std::ostream& out, const ResultTable& table) {
   const auto write_line = [&out](const auto& cells, const auto& text_of) {
-    for (std::size_t i = 0; i < cells.size(); ++i) out << (i > 0 ? "," : "") << text_of(cells[i]);
-    out << '\n';
+    std::string line;
+    for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + text_of(cells[i]);
+    out << (line.empty() ? "\"\"" : line) << '\n';  // readers drop blank lines
   };
   write_line(table.columns, CsvCell{});
   for (const auto& row : table.rows) {
@@ -119,6 +120,12 @@ void write_json(std::ostream& out, const ResultTable& table) {
 }
 
 }  // namespace
+
+Cell whole_number(double value) {
+  constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
+  if (std::abs(value) <= kExactIntegers) return static_cast<std::int64_t>(value);
+  return value;
+}
 
 void write_table(std::ostream& out, const ResultTable& table, TableFormat format) {
   switch (format) {

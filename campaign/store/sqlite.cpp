@@ -77,6 +77,20 @@ Connection Connection::open_in_memory() {
   return open_uri(":memory:", "(in memory)", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
 }
 
+bool SqliteError::may_pass() const {
+  const int code = primary_code();
+  return code == SQLITE_BUSY || code == SQLITE_LOCKED || code == SQLITE_FULL || code == SQLITE_IOERR;
+}
+
+void Connection::wait_for_locks(std::function<bool()> wait_again) {
+  auto kept = std::make_unique<std::function<bool()>>(std::move(wait_again));
+  const auto ask = [](void* function, int /*tries*/) {
+    return (*static_cast<std::function<bool()>*>(function))() ? 1 : 0;
+  };
+  sqlite3_busy_handler(handle_.get(), ask, kept.get());
+  wait_again_ = std::move(kept);
+}
+
 void Connection::fail(const std::string& attempted, int code) const {
   throw SqliteError(message(file_, attempted, handle_.get(), code), code);
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -22,6 +23,8 @@ class SqliteError : public std::runtime_error {
   /// Extended result code; its low byte is the primary one (SQLITE_FULL, ...). 0: refused by softwall itself.
   [[nodiscard]] int code() const { return code_; }
   [[nodiscard]] int primary_code() const { return code_ & 0xff; }
+  /// True for trouble around a sound store that may pass: a lock, a full disk, an I/O error.
+  [[nodiscard]] bool may_pass() const;
 
  private:
   int code_;
@@ -38,6 +41,10 @@ class Connection {
   [[nodiscard]] static Connection open(const std::filesystem::path& file, Access access,
                                        bool immutable = false);
   [[nodiscard]] static Connection open_in_memory();
+
+  /// Asks `wait_again` each time another program's lock is in the way; true: try again, false: give up with
+  /// SQLITE_BUSY. It waits itself. Without it, ten seconds.
+  void wait_for_locks(std::function<bool()> wait_again);
 
   /// One or several statements without results or parameters.
   void execute(std::string_view sql);
@@ -65,6 +72,7 @@ class Connection {
   static Connection open_uri(const std::string& name, const std::filesystem::path& file, int flags);
 
   std::filesystem::path file_;
+  std::unique_ptr<std::function<bool()>> wait_again_;  ///< where SQLite knows it to be; outlives the handle
   std::unique_ptr<sqlite3, Close> handle_;
 };
 

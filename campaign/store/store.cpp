@@ -118,6 +118,24 @@ void Store::record_campaign(const Campaign& campaign) {
   transaction.commit();
 }
 
+void Store::record_left_over(const std::vector<CampaignCase>& cases) {
+  Transaction transaction(connection_);
+  for (const CampaignCase& one : cases) {
+    write_case(connection_, one);
+    connection_.run("UPDATE cases SET in_campaign = 0 WHERE case_id = ?", one.definition.id);
+  }
+  transaction.commit();
+}
+
+void Store::forget(const std::string& case_id) {
+  Transaction transaction(connection_);
+  for (const char* table : {"diagnostics", "attempts", "checkpoints", "quantities"}) {
+    connection_.run(std::string("DELETE FROM ") + table + " WHERE case_id = ?", case_id);
+  }
+  connection_.run("DELETE FROM cases WHERE case_id = ? AND in_campaign = 0", case_id);
+  transaction.commit();
+}
+
 void Store::set_state(const std::string& case_id, CaseState state, const std::string& reason) {
   Transaction transaction(connection_);
   write_state(connection_, case_id, state, reason);

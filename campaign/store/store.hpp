@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,10 @@ class Store {
   /// label, directory and run parameters are renewed, and states, attempts and results stay. Cases of an
   /// earlier, larger sweep stay too, with in_campaign = 0.
   void record_campaign(const Campaign& campaign);
+  /// Cases of an earlier version of the campaign file, found in their run directories: with in_campaign = 0.
+  void record_left_over(const std::vector<CampaignCase>& cases);
+  /// Removes all that is known of a case that is no longer part of the campaign.
+  void forget(const std::string& case_id);
   void set_state(const std::string& case_id, CaseState state, const std::string& reason);
   /// An empty reason takes the mark away.
   void set_stale(const std::string& case_id, const std::string& reason);
@@ -81,6 +86,10 @@ class Store {
   /// interrupted on request, never started, or lost with their manager do not count: not the case's fault.
   [[nodiscard]] int attempts_without_progress(const std::string& case_id) const;
   [[nodiscard]] std::vector<OpenAttempt> open_attempts() const;
+  /// Attempts that have ended, in order.
+  [[nodiscard]] std::vector<PastAttempt> past_attempts(const std::string& case_id) const;
+  /// Wall-clock time times ranks of all attempts [h], by case id.
+  [[nodiscard]] std::map<std::string, double> core_hours() const;
   [[nodiscard]] std::optional<ResultOrigin> result_origin(const std::string& case_id) const;
 
   [[nodiscard]] Connection& connection() { return connection_; }

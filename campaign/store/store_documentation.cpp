@@ -36,6 +36,7 @@ class Reader {
  private:
   void read_outside(const std::string& line);
   void read_inside(const std::string& line);
+  void read_derived(const std::string& line);
 
   std::vector<ColumnDocumentation> found_;
   std::string object_;   ///< table or view whose columns are being read; empty: outside
@@ -60,8 +61,23 @@ void Reader::read_outside(const std::string& line) {
     if (!line.starts_with(create)) continue;
     object_ = leading_name(std::string_view(line).substr(create.size()));
     found_.push_back({object_, "", "-", comment_});
+    if (line.ends_with(";")) read_derived(line);
   }
   comment_.clear();
+}
+
+/// "CREATE VIEW a AS SELECT * FROM b ...": the columns of b, and what they mean.
+void Reader::read_derived(const std::string& line) {
+  constexpr std::string_view kFrom = " AS SELECT * FROM ";
+  const std::size_t from = line.find(kFrom);
+  const std::string source =
+      from == std::string::npos ? "" : leading_name(std::string_view(line).substr(from + kFrom.size()));
+  const std::vector<ColumnDocumentation> known = found_;
+  for (const ColumnDocumentation& entry : known) {
+    if (entry.object == source && !entry.column.empty())
+      found_.push_back({object_, entry.column, entry.unit, entry.meaning});
+  }
+  object_.clear();
 }
 
 void Reader::read_inside(const std::string& line) {

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "campaign/store/backup.hpp"
 #include "campaign/store/store_schema.hpp"
@@ -16,8 +17,9 @@ namespace {
 
 using std::filesystem::path;
 
-[[noreturn]] void refuse(const path& file, const std::string& why) {
-  throw SqliteError(file.string() + ": " + why, 0);
+/// code: SQLITE_CORRUPT where the store has to be made again, 0 where that would not help.
+[[noreturn]] void refuse(const path& file, const std::string& why, int code = 0) {
+  throw SqliteError(file.string() + ": " + why, code);
 }
 
 path beside(const path& file, const char* suffix) {
@@ -40,9 +42,11 @@ bool has_unfinished_change(const path& file) {
 void create(const path& file) {
   // Asked in this order: a program that has just made the store has its file there before its log.
   if (has_unfinished_change(file) && !std::filesystem::exists(file)) {
-    refuse(file,
-           "is gone, but its -wal or -journal file is still there: put it back from a backup, or move those "
-           "away too");
+    refuse(
+        file,
+        "is gone, but its -wal or -journal file is still there: put it back from a backup, or make it again "
+        "from the run directories",
+        SQLITE_CORRUPT);
   }
   Connection made = Connection::open_in_memory();
   create_schema(made);
@@ -64,7 +68,9 @@ void check_file(const path& file) {
   if (!std::filesystem::is_regular_file(file)) refuse(file, "is not a file");
   if (std::filesystem::file_size(file) == 0) {
     refuse(file,
-           "is empty (0 bytes) and no results store: restore a backup, or move it away to start a new one");
+           "is empty (0 bytes) and no results store: restore a backup, or make it again from the run "
+           "directories",
+           SQLITE_CORRUPT);
   }
 }
 
@@ -77,7 +83,8 @@ void check_health(Connection& connection) {
   const std::string answer = check.step() ? check.text(0) : "no answer";
   if (answer != "ok") {
     refuse(connection.file(),
-           "is damaged: " + answer + ": restore a backup, or move it away to start a new one");
+           "is damaged: " + answer + ": restore a backup, or make it again from the run directories",
+           SQLITE_CORRUPT);
   }
 }
 
@@ -121,12 +128,18 @@ bool is_about_writing(const SqliteError& error) {
   return error.primary_code() == SQLITE_READONLY || error.primary_code() == SQLITE_CANTOPEN;
 }
 
-/// A store of an earlier format can be read as it is: what the commands ask for is in every format.
+/// Of an earlier format, and not ours to change: whoever only reads reads a copy of the present format.
+Connection of_present_format(Connection connection) {
+  if (schema_version(connection) == kSchemaVersion) return connection;
+  Connection copy = copy_in_memory(connection);
+  migrate(copy, migrations(), kSchemaVersion);
+  return copy;
+}
+
 Connection open_for_reading(const path& file) {
   Connection connection = Connection::open(file, Access::kReadOnly);
   try {
     (void)schema_version(connection);
-    return connection;
   } catch (const SqliteError& error) {
     if (!is_about_writing(error)) throw;
     if (error.code() == SQLITE_READONLY_ROLLBACK && ::access(file.c_str(), W_OK) == 0) {
@@ -136,8 +149,7 @@ Connection open_for_reading(const path& file) {
       connection = open_immutable(file);
     }
   }
-  (void)schema_version(connection);
-  return connection;
+  return of_present_format(std::move(connection));
 }
 
 }  // namespace

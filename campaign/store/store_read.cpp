@@ -35,6 +35,35 @@ CaseRecord case_in(const Statement& row, const Store& store) {
   return record;
 }
 
+constexpr std::string_view kPastAttempts =
+    "SELECT attempt, host, ranks, coalesce(resumed_from, ''), outcome, coalesce(reason, ''), exit_code, "
+    "step, time,"
+    " attempt_steps, wall_seconds, ns_per_cell_step, coalesce(started, intended), ended, version, "
+    "git_revision,"
+    " build_type, compiler FROM attempts WHERE case_id = ? AND ended IS NOT NULL ORDER BY attempt";
+
+PastAttempt past_attempt_in(const Statement& row) {
+  PastAttempt past;
+  past.attempt = static_cast<int>(row.integer(0));
+  past.start = {row.text(1), static_cast<int>(row.integer(2)), row.text(3)};
+  AttemptEnd& end = past.end;
+  end.outcome = outcome_of(row.text(4)).value_or(AttemptOutcome::kFailed);
+  end.reason = row.text(5);
+  if (!row.is_null(6)) end.exit_code = static_cast<int>(row.integer(6));
+  end.step = row.optional_integer(7);
+  end.time = row.optional_real(8);
+  end.attempt_steps = row.optional_integer(9);
+  end.wall_seconds = row.optional_real(10);
+  end.ns_per_cell_step = row.optional_real(11);
+  end.started = row.text(12);
+  end.ended = row.text(13);
+  end.version = row.text(14);
+  end.git_revision = row.text(15);
+  end.build_type = row.text(16);
+  end.compiler = row.text(17);
+  return past;
+}
+
 }  // namespace
 
 std::optional<CaseRecord> Store::find_case(const std::string& case_id) const {
@@ -52,6 +81,29 @@ int Store::attempts(const std::string& case_id) const {
 int Store::attempts_without_progress(const std::string& case_id) const {
   Statement row = connection_.query(kWithoutProgress, case_id);
   return row.step() ? static_cast<int>(row.integer(0)) : 0;
+}
+
+std::vector<PastAttempt> Store::past_attempts(const std::string& case_id) const {
+  Statement rows = connection_.query(kPastAttempts, case_id);
+  std::vector<PastAttempt> attempts;
+  while (rows.step()) attempts.push_back(past_attempt_in(rows));
+  Statement diagnostics = connection_.query(
+      "SELECT attempt, name, value FROM diagnostics WHERE case_id = ? AND value IS NOT NULL", case_id);
+  while (diagnostics.step()) {
+    for (PastAttempt& past : attempts) {
+      if (past.attempt == diagnostics.integer(0))
+        past.end.diagnostics[diagnostics.text(1)] = diagnostics.real(2);
+    }
+  }
+  return attempts;
+}
+
+std::map<std::string, double> Store::core_hours() const {
+  Statement rows =
+      connection_.query("SELECT case_id, sum(wall_seconds * ranks) / 3600.0 FROM attempts GROUP BY case_id");
+  std::map<std::string, double> hours;
+  while (rows.step()) hours[rows.text(0)] = rows.real(1);
+  return hours;
 }
 
 std::vector<OpenAttempt> Store::open_attempts() const {

@@ -1,7 +1,10 @@
 #include "campaign/store/store_schema.hpp"
 
+#include <sqlite3.h>
+
 #include <array>
 #include <string>
+#include <vector>
 
 #include "campaign/store/store_documentation.hpp"
 #include "schemas/embedded.hpp"
@@ -23,6 +26,17 @@ void write_documentation(Connection& connection) {
   }
 }
 
+/// The views of results.sql stand behind its tables.
+void renew_views(Connection& connection) {
+  std::vector<std::string> old;
+  {
+    Statement names = connection.prepare("SELECT name FROM sqlite_schema WHERE type = 'view'");
+    while (names.step()) old.push_back(names.text(0));
+  }
+  for (const std::string& name : old) connection.execute("DROP VIEW \"" + name + "\"");
+  connection.execute(schemas::kResultsSql.substr(schemas::kResultsSql.find("\nCREATE VIEW ")));
+}
+
 const Migration& step_from(int version, std::span<const Migration> steps, const Connection& connection) {
   for (const Migration& step : steps) {
     if (step.from == version) return step;
@@ -35,7 +49,10 @@ const Migration& step_from(int version, std::span<const Migration> steps, const 
 }  // namespace
 
 std::span<const Migration> migrations() {
-  static constexpr std::array<Migration, 1> kSteps = {{{1, schemas::kFrom1Sql}}};
+  static constexpr std::array<Migration, 2> kSteps = {{
+      {1, schemas::kFrom1Sql},
+      {2, ""},  // views only: results shows the present campaign, results_all everything
+  }};
   return kSteps;
 }
 
@@ -59,7 +76,7 @@ int schema_version(Connection& connection, int known) {
     throw SqliteError(file + ": store format " + std::to_string(version) +
                           " was made by a newer softwall; this one knows formats up to " +
                           std::to_string(known) + ": nothing was changed, use the newer program",
-                      0);
+                      SQLITE_SCHEMA);
   }
   if (version < 1) {
     throw SqliteError(
@@ -68,6 +85,8 @@ int schema_version(Connection& connection, int known) {
   return static_cast<int>(version);
 }
 
+bool is_of_newer_format(const SqliteError& error) { return error.code() == SQLITE_SCHEMA; }
+
 void migrate(Connection& connection, std::span<const Migration> steps, int target) {
   Transaction transaction(connection);  // first, so that two programs cannot both start from the old format
   const int found = schema_version(connection, target);
@@ -75,6 +94,7 @@ void migrate(Connection& connection, std::span<const Migration> steps, int targe
     connection.execute(step_from(version, steps, connection).sql);
   }
   if (found < target) {
+    renew_views(connection);
     write_documentation(connection);
     set_pragma(connection, "user_version", target);
   }

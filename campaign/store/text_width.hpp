@@ -13,6 +13,9 @@ namespace softwall::campaign {
 /// direction of writing around become \n, \x1b, ...
 [[nodiscard]] std::string printable(std::string_view text);
 
+/// The same for a message of several lines, whose line breaks stay.
+[[nodiscard]] std::string printable_lines(std::string_view text);
+
 /// Characters (code points) of a UTF-8 text.
 [[nodiscard]] std::size_t width_of(std::string_view text);
 

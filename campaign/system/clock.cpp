@@ -6,6 +6,12 @@
 #include <ctime>
 
 namespace softwall::campaign {
+namespace {
+
+constexpr double kLongestSeconds = 1000 * 365.25 * 86400;
+
+}  // namespace
+
 std::string local_time_of_day() {
   const std::time_t now = std::time(nullptr);
   std::tm time{};
@@ -22,6 +28,7 @@ double monotonic_seconds() {
 
 std::string describe_duration(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0) return "unknown";
+  if (seconds > kLongestSeconds) return "more than 1000 years";
   const auto total = static_cast<long long>(std::llround(seconds));
   if (total < 60) return std::to_string(total) + " s";
   const long long minutes = (total + 30) / 60;

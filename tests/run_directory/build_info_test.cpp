@@ -21,5 +21,13 @@ TEST(UtcNow, OrdersWhatFollowsWithinASecond) {
   }
 }
 
+TEST(UtcText, IsADateBefore1970Too) {
+  using std::chrono::milliseconds;
+  EXPECT_EQ(utc_text(milliseconds(0)), "1970-01-01T00:00:00.000Z");
+  EXPECT_EQ(utc_text(milliseconds(-886)), "1969-12-31T23:59:59.114Z");
+  EXPECT_EQ(utc_text(milliseconds(-86400000)), "1969-12-31T00:00:00.000Z");
+  EXPECT_EQ(utc_text(milliseconds(4294967296123)), "2106-02-07T06:28:16.123Z");
+}
+
 }  // namespace
 }  // namespace softwall

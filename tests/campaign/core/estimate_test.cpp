@@ -66,6 +66,15 @@ TEST(Estimate, CostIsStepsTimesCellsTimesSpeed) {
   EXPECT_EQ(estimate(c, 500.0, 60.0).core_hours, 0.0);
 }
 
+TEST(Estimate, StepsOfATenthMakeOne) {
+  Case c = elastic_case();
+  c.physics.time_step.fixed_dt = 0.1;
+  c.run.end_time = 1;
+  EXPECT_EQ(estimate(c, 500.0).steps, 10.0);
+  EXPECT_EQ(estimate(c, 500.0, 0.7999999999999999).steps, 2.0);
+  EXPECT_EQ(estimate(c, 500.0, 0.9999999999999999).steps, 0.0);
+}
+
 TEST(Estimate, SpeedsAssumedArePlausible) {
   Physics physics;
   for (const FlowType flow : {FlowType::kRigidChannel, FlowType::kElasticWall}) {

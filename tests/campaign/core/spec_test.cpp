@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 
 #include "solver/case/case_schema.hpp"
@@ -57,6 +58,42 @@ TEST(Spec, CoresMustHoldTheRanks) {
   const std::string message = complaint_about(document);
   EXPECT_NE(message.find("/execution/precursor_ranks: 8; at most the 4 cores"), std::string::npos) << message;
   EXPECT_EQ(message.find("/execution/ranks"), std::string::npos) << message;
+}
+
+void collect_numbers(const json& node, const std::string& at, std::map<std::string, json>& found) {
+  const json members = node.value("properties", json::object());
+  for (const auto& [key, child] : members.items()) {
+    const json type = child.value("type", json());
+    if (type == "number" || type == "integer") found[at + "/" + key] = child;
+    collect_numbers(child, at + "/" + key, found);
+  }
+}
+
+TEST(Spec, EveryNumberHasALargestValue) {
+  std::map<std::string, json> numbers;
+  collect_numbers(*campaign_schema().part(json::json_pointer()), "", numbers);
+  EXPECT_GT(numbers.size(), 30u);
+  for (const auto& [pointer, node] : numbers) EXPECT_TRUE(node.contains("maximum")) << pointer;
+}
+
+TEST(Spec, RefusesNumbersThatTheProgramsCannotHold) {
+  json document = elastic_campaign();
+  document["execution"]["walltime_seconds"] = 1e19;
+  document["physics"]["statistics"]["interval_steps"] = 4294967297;
+  document["run"]["end_time"] = 1e300;
+  const std::string message = complaint_about(document);
+  for (const char* part : {"/execution/walltime_seconds: 1e+19",
+                           "/physics/statistics/interval_steps: 4294967297", "/run/end_time: 1e+300"})
+    EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
+}
+
+TEST(Spec, RanksOfAPrecursorNeedOne) {
+  json document = elastic_campaign();
+  document["execution"] = {{"ranks", 2}, {"precursor_ranks", 2}};
+  EXPECT_EQ(complaint_about(document), "");
+  document.erase("precursor");
+  EXPECT_NE(complaint_about(document).find("/execution/precursor_ranks: 2; has no effect"),
+            std::string::npos);
 }
 
 /// The campaign's schema must know every parameter of a case that a person sets.

@@ -97,13 +97,5 @@ TEST(Sweep, ExplosionsAreRefusedBeforeTheyHappen) {
   EXPECT_EQ(sweep_mistakes(wide).size(), 1U);
 }
 
-TEST(Sweep, ExclusionsLookAtTheWholeCase) {
-  const json physics = json::parse(R"({"solid": {"G": 1, "viscosity_ratio": 1}, "reynolds": 2800})");
-  EXPECT_TRUE(is_excluded(json::parse(R"([{"G": 2}, {"G": 1.0, "reynolds": 2800}])"), physics));
-  EXPECT_FALSE(is_excluded(json::parse(R"([{"G": 1, "reynolds": 3000}])"), physics));
-  EXPECT_FALSE(is_excluded(json::parse(R"([{"fixed_dt": 1}])"), physics));
-  EXPECT_FALSE(is_excluded(json::array(), physics));
-}
-
 }  // namespace
 }  // namespace softwall::campaign

@@ -77,7 +77,7 @@ TEST_F(ProcessLauncherTest, HandsOverArgumentsWithoutAShell) {
   const std::string text = log("$(touch pwned); 'x'");
   EXPECT_NE(text.find("[--bind-to]\n[none]\n"), std::string::npos) << text;
   EXPECT_NE(text.find("[-n]\n[1]\n[/opt/softwall dns]\n[" + what.run_directory.string() +
-                      "]\n[--attempt]\n[3]\n[--wall-seconds]\n[90]\n"),
+                      "]\n[--attempt]\n[3]\n[--wall-seconds]\n[90.7]\n"),
             std::string::npos)
       << text;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <thread>
+#include <utility>
 
 #include "campaign/observe/observe.hpp"
 #include "solver/run_directory/exit_codes.hpp"
@@ -91,6 +93,69 @@ TEST_F(RunnerTest, NeverUsesMoreCoresThanAllowed) {
   FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
   run(launcher);
   EXPECT_EQ(launcher.most_ranks, 2);
+}
+
+/// A database browser that holds results.db for longer than SQLite waits by itself must not end a campaign.
+TEST_F(RunnerTest, WaitsForAStoreThatAnotherProgramHolds) {
+  { static_cast<void>(Store::open(folder_.path(), OpenMode::kCreate)); }
+  Connection browser = Connection::open(store_path(folder_.path()), Access::kReadWrite);
+  std::thread holder;
+  FakeLauncher launcher([&](const LaunchRequest& request) {
+    if (request.case_id == id(0)) {
+      browser.execute("BEGIN IMMEDIATE");
+      holder = std::thread([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(11500));
+        browser.execute("COMMIT");
+      });
+    }
+    return finish(request);
+  });
+  const RunnerReport report = run(launcher);
+  holder.join();
+  EXPECT_EQ(report.finished, 5U);
+  EXPECT_EQ(store().past_attempts(id(0)).size(), 1U);
+}
+
+TEST_F(RunnerTest, PausesWhenTheStoreCannotBeWritten) {
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  Signals signals;
+  Progress progress("");
+  Store full = Store::open(folder_.path(), OpenMode::kCreate);
+  full.record_campaign(campaign_);
+  // As on a full disk: no page may be added.
+  full.connection().execute("PRAGMA max_page_count = " +
+                            std::to_string(full.connection().integer("PRAGMA page_count")));
+  RunnerOptions options;
+  options.poll = std::chrono::milliseconds(1);
+  campaign_.spec_text = std::string(100000, ' ');
+  EXPECT_THROW(Runner(campaign_, folder_.path(), {launcher, full, progress, signals}, options).run(),
+               SqliteError)
+      << "before anything is started, the error is the answer";
+  campaign_.spec_text.clear();
+  Runner runner(campaign_, folder_.path(), {launcher, full, progress, signals}, options);
+  const RunnerReport report = runner.run();
+  EXPECT_LT(report.finished, 5U);
+  ASSERT_FALSE(report.unfinished.empty());
+  EXPECT_TRUE(report.failed.empty());
+  EXPECT_NE(report.unfinished.back().reason.find("cannot be written"), std::string::npos);
+  EXPECT_EQ(run(launcher).finished, 5U) << "and goes on when there is room";
+}
+
+TEST_F(RunnerTest, ANewStoreKnowsTheAttemptsOfTheOldOne) {
+  bool first = true;
+  FakeLauncher launcher([&](const LaunchRequest& request) {
+    if (request.case_id == id(2) && std::exchange(first, false)) return 139;
+    return finish(request);
+  });
+  run(launcher);
+  ASSERT_EQ(store().past_attempts(id(2)).size(), 2U);
+  for (const char* suffix : {"", "-wal", "-shm"})
+    std::filesystem::remove(store_path(folder_.path()).string() + suffix);
+  run(launcher);
+  const auto past = store().past_attempts(id(2));
+  ASSERT_EQ(past.size(), 2U);
+  EXPECT_EQ(past[0].end.exit_code, 139);
+  EXPECT_EQ(past[1].end.outcome, AttemptOutcome::kFinished);
 }
 
 TEST_F(RunnerTest, RunningAgainKeepsWhatIsFinished) {

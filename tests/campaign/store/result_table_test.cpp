@@ -26,6 +26,22 @@ ResultTable one_row(const std::vector<Cell>& cells) {
   return table;
 }
 
+TEST(CsvTable, ARowOfASingleNullIsNoBlankLine) {
+  EXPECT_EQ(written(one_row({Cell(std::monostate{})}), TableFormat::kCsv), "a\n\"\"\n");
+  EXPECT_EQ(written(one_row({Cell(std::monostate{}), Cell(std::monostate{})}), TableFormat::kCsv),
+            "a,b\n,\n");
+}
+
+TEST(WholeNumber, IsAnIntegerWhereOneHoldsIt) {
+  EXPECT_EQ(whole_number(5000), Cell(std::int64_t{5000}));
+  EXPECT_EQ(whole_number(1e300), Cell(1e300));
+  EXPECT_EQ(whole_number(-1e19), Cell(-1e19));
+}
+
+TEST(PrintableLines, KeepOnlyTheirLineBreaks) {
+  EXPECT_EQ(printable_lines("one\n\033[31mtwo\n"), "one\n\\x1b[31mtwo\n");
+}
+
 TEST(TextTable, AlignsNumbersRightAndTextLeft) {
   const ResultTable table = {{"label", "value"},
                              {{Cell("a"), Cell(1234.5678)},

@@ -62,8 +62,8 @@ TEST_F(StoreTest, RecordingTheCampaignAgainKeepsWhatIsKnown) {
 TEST_F(StoreTest, ASmallerSweepForgetsNothing) {
   campaign.cases.pop_back();
   store.record_campaign(campaign);
-  EXPECT_EQ(answer(store, "SELECT count(*) FROM results"), "7");
-  EXPECT_EQ(answer(store, "SELECT count(*) FROM results WHERE in_campaign = 0"), "1");
+  EXPECT_EQ(answer(store, "SELECT count(*) FROM results_all"), "7");
+  EXPECT_EQ(answer(store, "SELECT count(*) FROM results_all WHERE in_campaign = 0"), "1");
 }
 
 TEST_F(StoreTest, RemembersEveryState) {
