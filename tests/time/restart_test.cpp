@@ -50,8 +50,10 @@ TEST(Restart, ElasticChannelGoesOnWithTheSameBits) {
 TEST(Restart, ElasticChannelWithASharpInterfaceGoesOnWithTheSameBits) {
   Physics p = support::elastic_channel({12, 16, 6, 8});
   p.reynolds = 300;
-  p.solid->interface = InterfaceTransport::kMthinc;
-  expect_same_bits_from_any_moment(p, 40, false);
+  for (const auto interface : {InterfaceTransport::kMthinc, InterfaceTransport::kHeight}) {
+    p.solid->interface = interface;
+    expect_same_bits_from_any_moment(p, 40, false);
+  }
 }
 
 TEST(Restart, ElasticChannelWithAReferenceMapGoesOnWithTheSameBits) {
