@@ -76,7 +76,10 @@ TEST(Interface, WidthInCells) {
   const auto& g = setup.grid;
   const auto sharp = time::state_at_rest(g, true);
   EXPECT_NEAR(interface_width(sharp.material.phi, g, setup.decomposition), 0.8, 1e-13);
-  const auto wide = solid_above(g, 1.5, [](double x, double) { return 1.5 + 0.05 * std::sin(kPi * x / 2); });
+  grid::Field wide(g, 3);  // linear from center to center
+  for_columns(g, 0, g.ny, [&](int i, int j, int k, double x, double) {
+    wide(i, j, k) = std::clamp(0.5 + (g.y_center[j] - 1.5 - 0.05 * std::sin(kPi * x / 2)) / 1.5, 0.0, 1.0);
+  });
   EXPECT_NEAR(interface_width(wide, g, setup.decomposition), 0.8 * 1.5 * 8, 1e-12);
 }
 
