@@ -6,15 +6,6 @@
 
 namespace softwall::solid {
 
-namespace {
-
-Grid single_row(Grid g) {
-  g.ny = 1;
-  return g;
-}
-
-}  // namespace
-
 ColumnHeights::ColumnHeights(const Grid& grid, grid::Halo& halo)
     : grid_(grid),
       halo_(halo),

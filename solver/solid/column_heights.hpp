@@ -14,6 +14,12 @@ using grid::Grid;
 using grid::Real;
 using grid::View;
 
+/// For fields with one number in each column.
+[[nodiscard]] inline Grid single_row(Grid g) {
+  g.ny = 1;
+  return g;
+}
+
 class ColumnHeights {
  public:
   static constexpr int kGhost = 3;  ///< columns on every side: as many as WENO reads

@@ -10,11 +10,6 @@ namespace softwall::solid {
 
 namespace {
 
-Grid single_row(Grid g) {
-  g.ny = 1;
-  return g;
-}
-
 /// Height of the part of a row, bottom < y < top, that lies above the surface.
 Real part_above(Real surface, Real bottom, Real top) {
   const Real above = top - (surface > bottom ? surface : bottom);

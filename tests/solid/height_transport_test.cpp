@@ -16,7 +16,7 @@ namespace softwall::solid {
 namespace {
 
 using support::Domain;
-constexpr double kPi = std::numbers::pi;
+constexpr double kTurn = 2 * std::numbers::pi;
 
 /// A layer on top of a box, carried by a velocity that is given.
 class Layer {
@@ -75,8 +75,8 @@ class Layer {
 };
 
 double wavy(double x, double z) {
-  return 1.2 + 0.2 * std::sin(2 * kPi * x / 3) * std::cos(2 * kPi * z / 1.5) +
-         0.1 * std::sin(4 * kPi * z / 1.5);
+  return 1.2 + 0.2 * std::sin(kTurn * x / 3) * std::cos(kTurn * z / 1.5) +
+         0.1 * std::sin(2 * kTurn * z / 1.5);
 }
 
 class LayerUnderAHeight : public testing::TestWithParam<double> {
@@ -146,7 +146,7 @@ TEST_P(LayerUnderAHeight, ASmallWaveMovesWithTheVelocityAtTheSurface) {
   const auto& g = layer.d.grid;
   grid::VectorField velocity(g, 1);
   support::set_by_index(velocity.x, g, g.ny, [&](int i, int j, int) {
-    return kSmall * (2 - g.y_center[j]) * std::sin(2 * kPi * i / g.nx_global);
+    return kSmall * (2 - g.y_center[j]) * std::sin(kTurn * i / g.nx_global);
   });
   layer.d.halo.fill({&velocity.x}, {0, g.ny});
   for (const double surface : {g.y_face[6], g.y_face[6] + 0.3 * g.dy[6], g.y_face[6] + 0.97 * g.dy[6]}) {
@@ -158,7 +158,7 @@ TEST_P(LayerUnderAHeight, ASmallWaveMovesWithTheVelocityAtTheSurface) {
     double error = 0;
     for (int i = 0; i < g.nx_global; ++i) {
       const double slope =
-          (std::sin(2 * kPi * (i + 1) / g.nx_global) - std::sin(2 * kPi * i / g.nx_global)) / g.dx;
+          (std::sin(kTurn * (i + 1) / g.nx_global) - std::sin(kTurn * i / g.nx_global)) / g.dx;
       error = std::max(
           error, std::abs(seen[static_cast<std::size_t>(i)] - surface - kSmall * slope * depth_of_flow));
     }
@@ -200,7 +200,7 @@ double error_after_a_round(int n) {
     velocity.x(i, j, k) = 1;
     velocity.z(i, j, k) = -1;
   });
-  layer.begin([](double x, double z) { return 0.5 + 0.2 * std::sin(2 * kPi * x) * std::cos(2 * kPi * z); });
+  layer.begin([](double x, double z) { return 0.5 + 0.2 * std::sin(kTurn * x) * std::cos(kTurn * z); });
   const auto before = layer.heights();
   const int steps = 4 * n;
   for (int step = 0; step < steps; ++step) layer.step(velocity, 1.0 / steps);
