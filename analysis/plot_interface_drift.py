@@ -127,9 +127,9 @@ def main():
         left.plot([end - WINDOW / 2 for end, _ in rates], [rate for _, rate in rates], "o-",
                   label=f"{option_of(case)}, {case.grid}")
     left.set(xlabel=r"$t U_b/h$", ylabel=r"growth rate, $h/U_b$")
-    finest = swinging[-1].grid if swinging else ""
+    coarsest = swinging[0].grid if swinging else ""
     for case in swinging or waves:
-        if case.grid == finest or not swinging:
+        if case.grid == coarsest or not swinging:
             right.plot(middle(case), case.series["driving_gradient"], linewidth=0.8, label=f"{option_of(case)}, {case.grid}")
     right.set(xlabel=r"$t U_b/h$", ylabel="driving gradient")
     for panel in (left, right):
