@@ -28,7 +28,7 @@ enum class FlowType { kRigidChannel, kElasticWall, kCavity, kRotation, kInterfac
 enum class InitialType { kPerturbedLaminar, kPrecursor };
 enum class SolidFormulation { kTransportedB, kReferenceMap };
 enum class WenoWeights { kJiangShu, kZ };
-enum class InterfaceTransport { kWeno, kMthinc };
+enum class InterfaceTransport { kWeno, kMthinc, kHeight };
 enum class Precision { kDouble, kSingle };
 enum class Extension { kColumn, kNormal };
 enum class ViscousTerms { kExplicit, kImplicit };

@@ -63,6 +63,9 @@ std::string case_id(const json& physics) {
   }
   json whole = {{"physics", std::move(identity)}};
   case_schema().fill_defaults(whole);
+  json& filled = whole.at("physics");
+  if (filled.contains("solid") && filled["solid"].value("formulation", "") == "reference_map")
+    filled["solid"].erase("interface");
   case_schema().drop_defaults(whole);
   const std::string text = canonical_text(whole.at("physics"));
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());

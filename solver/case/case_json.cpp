@@ -28,7 +28,9 @@ constexpr std::pair<SolidFormulation, const char*> kFormulationNames[] = {
 constexpr std::pair<WenoWeights, const char*> kWenoNames[] = {{WenoWeights::kJiangShu, "js"},
                                                               {WenoWeights::kZ, "z"}};
 constexpr std::pair<InterfaceTransport, const char*> kInterfaceNames[] = {
-    {InterfaceTransport::kWeno, "weno"}, {InterfaceTransport::kMthinc, "mthinc"}};
+    {InterfaceTransport::kWeno, "weno"},
+    {InterfaceTransport::kMthinc, "mthinc"},
+    {InterfaceTransport::kHeight, "height"}};
 constexpr std::pair<Extension, const char*> kExtensionNames[] = {{Extension::kColumn, "column"},
                                                                  {Extension::kNormal, "normal"}};
 constexpr std::pair<ViscousTerms, const char*> kViscousNames[] = {{ViscousTerms::kExplicit, "explicit"},

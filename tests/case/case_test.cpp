@@ -69,7 +69,8 @@ TEST(Case, WritingAndReadingBackChangesNothing) {
 }
 
 TEST(Case, WhatCarriesPhiIsRead) {
-  EXPECT_EQ(parse_case(tests::elastic_document().dump()).physics.solid->interface, InterfaceTransport::kWeno);
+  EXPECT_EQ(parse_case(tests::elastic_document().dump()).physics.solid->interface,
+            InterfaceTransport::kHeight);
   EXPECT_EQ(parse_case(tests::box_document().dump()).physics.solid->interface, InterfaceTransport::kMthinc);
 }
 

@@ -92,7 +92,8 @@ TEST(SchemaContract, PhysicsIsIdentityMemberByMember) {
             !node->contains("default") || pointer == "/physics/grid/ny_solid" ||
             pointer == "/physics/grid/stretching" || pointer == "/physics/domain/layer_height" ||
             pointer == "/physics/initial/precursor" || pointer == "/physics/solid/extension" ||
-            pointer == "/physics/solid/formulation" || pointer == "/physics/domain/length_x";
+            pointer == "/physics/solid/formulation" || pointer == "/physics/solid/interface" ||
+            pointer == "/physics/domain/length_x";
         EXPECT_TRUE(needed) << pointer << " is needed although it has a default";
         continue;
       }
