@@ -34,6 +34,9 @@ constexpr std::pair<Extension, const char*> kExtensionNames[] = {{Extension::kCo
 constexpr std::pair<ViscousTerms, const char*> kViscousNames[] = {{ViscousTerms::kExplicit, "explicit"},
                                                                   {ViscousTerms::kImplicit, "implicit"}};
 
+constexpr std::pair<MeanFlow, const char*> kMeanFlowNames[] = {{MeanFlow::kNone, "none"},
+                                                               {MeanFlow::kLaminar, "laminar"}};
+
 constexpr std::pair<Precision, const char*> kPrecisionNames[] = {{Precision::kDouble, "double"},
                                                                  {Precision::kSingle, "single"}};
 
@@ -73,7 +76,8 @@ SolidSpec solid_from(const json& solid) {
 }
 
 WaveSpec wave_from(const json& wave) {
-  return {wave.at("decay"), wave.at("frequency"), wave.at("displacement")};
+  return {wave.at("decay"), wave.at("frequency"), wave.at("displacement"),
+          named(wave.at("mean_flow"), kMeanFlowNames)};
 }
 
 TimeStepSpec time_step_from(const json& time_step) {
@@ -153,7 +157,10 @@ json to_json(const SolidSpec& solid) {
 }
 
 json to_json(const WaveSpec& wave) {
-  return {{"decay", wave.decay}, {"frequency", wave.frequency}, {"displacement", wave.displacement}};
+  return {{"decay", wave.decay},
+          {"frequency", wave.frequency},
+          {"displacement", wave.displacement},
+          {"mean_flow", name_of(wave.mean_flow, kMeanFlowNames)}};
 }
 
 json to_json(const TimeStepSpec& time_step) {
