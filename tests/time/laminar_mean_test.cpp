@@ -24,10 +24,11 @@ Physics driven_wave(support::Cells cells, SolidFormulation formulation, double d
   return p;
 }
 
-double largest_change(const grid::Field& now, const grid::Field& before, const grid::Grid& g) {
+double largest_change(const grid::Field& now, const grid::Field& before, const grid::Grid& g,
+                      int first_row = 0) {
   double most = 0;
   for (int k = 0; k < g.nz; ++k) {
-    for (int j = 0; j < g.ny; ++j) {
+    for (int j = first_row; j < g.ny; ++j) {
       for (int i = 0; i < g.nx; ++i)
         most = std::max(most, std::abs(double(now(i, j, k)) - double(before(i, j, k))));
     }
@@ -66,7 +67,8 @@ TEST(LaminarMean, IsInEquilibrium) {
     const double tolerance = 1e-11;
     EXPECT_LT(largest_change(s.velocity.x, start.velocity.x, setup.grid), tolerance);
     EXPECT_LT(largest_change(s.velocity.y, start.velocity.y, setup.grid), tolerance);
-    EXPECT_LT(largest_change(s.material.displacement.x, start.material.displacement.x, setup.grid),
+    const int in_layer = setup.grid.ny_fluid;
+    EXPECT_LT(largest_change(s.material.displacement.x, start.material.displacement.x, setup.grid, in_layer),
               tolerance);
     EXPECT_NEAR(s.driving_gradient, LaminarMean(setup).gradient(), 1e-9);
   }
