@@ -45,6 +45,7 @@ class Case:
         self.G = solid.get("G", math.inf)
         self.ratio = solid.get("viscosity_ratio", 1.0)
         domain = physics.get("domain", {})
+        self.layer_height = domain.get("layer_height", 0.5)
         self.box = domain.get("length_x", 6.0), domain.get("length_z", 3.0)  # periods in x and z, h
         grid = physics["grid"]
         layer = f"+{grid['ny_solid']}" if self.elastic else ""

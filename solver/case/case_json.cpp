@@ -39,6 +39,9 @@ constexpr std::pair<ViscousTerms, const char*> kViscousNames[] = {{ViscousTerms:
 constexpr std::pair<Stiffness, const char*> kStiffnessNames[] = {{Stiffness::kExplicit, "explicit"},
                                                                  {Stiffness::kImplicit, "implicit"}};
 
+constexpr std::pair<MeanFlow, const char*> kMeanFlowNames[] = {{MeanFlow::kNone, "none"},
+                                                               {MeanFlow::kLaminar, "laminar"}};
+
 constexpr std::pair<Precision, const char*> kPrecisionNames[] = {{Precision::kDouble, "double"},
                                                                  {Precision::kSingle, "single"}};
 
@@ -79,7 +82,8 @@ SolidSpec solid_from(const json& solid) {
 }
 
 WaveSpec wave_from(const json& wave) {
-  return {wave.at("decay"), wave.at("frequency"), wave.at("displacement")};
+  return {wave.at("decay"), wave.at("frequency"), wave.at("displacement"),
+          named(wave.at("mean_flow"), kMeanFlowNames)};
 }
 
 TimeStepSpec time_step_from(const json& time_step) {
@@ -160,7 +164,10 @@ json to_json(const SolidSpec& solid) {
 }
 
 json to_json(const WaveSpec& wave) {
-  return {{"decay", wave.decay}, {"frequency", wave.frequency}, {"displacement", wave.displacement}};
+  return {{"decay", wave.decay},
+          {"frequency", wave.frequency},
+          {"displacement", wave.displacement},
+          {"mean_flow", name_of(wave.mean_flow, kMeanFlowNames)}};
 }
 
 json to_json(const TimeStepSpec& time_step) {

@@ -64,6 +64,12 @@ json wave_case(int steps) {
   return c;
 }
 
+json driven_wave_case(int steps) {
+  json c = wave_case(steps);
+  c["physics"]["wave"]["mean_flow"] = "laminar";
+  return c;
+}
+
 SolverRun::SolverRun() {
   std::string name = (fs::temp_directory_path() / "softwall-run-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) std::abort();
