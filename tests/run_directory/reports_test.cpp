@@ -13,10 +13,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kId = "0123456789abcdef";
+constexpr const char* kReportedId = "0123456789abcdef";
 
 Status some_status() {
-  return {.case_id = kId,
+  return {.case_id = kReportedId,
           .attempt = 2,
           .ranks = 4,
           .pid = 77,
@@ -33,7 +33,7 @@ Status some_status() {
 
 Summary some_summary() {
   Summary s;
-  s.case_id = kId;
+  s.case_id = kReportedId;
   s.attempt = 3;
   s.outcome = outcome_of(ExitCode::kInterrupted);
   s.reason = "asked to";
@@ -73,7 +73,8 @@ void expect_agreement(const Report& report, std::string_view schema) {
 TEST(Reports, AgreeWithTheirSchemasInBothDirections) {
   expect_agreement(some_status(), schemas::kStatusSchema);
   expect_agreement(some_summary(), schemas::kSummarySchema);
-  expect_agreement(RunRecord{kId, 1, "a handle", "node", "2026-01-01T00:00:00.000Z"}, schemas::kRunSchema);
+  expect_agreement(RunRecord{kReportedId, 1, "a handle", "node", "2026-01-01T00:00:00.000Z"},
+                   schemas::kRunSchema);
 }
 
 TEST(Reports, WhatIsNotFiniteStaysValid) {

@@ -7,6 +7,7 @@
 #include "solver/solid/transported_b.hpp"
 #include "tests/support/fields.hpp"
 #include "tests/support/physics.hpp"
+#include "tests/support/round_off.hpp"
 
 namespace softwall::solid {
 namespace {
