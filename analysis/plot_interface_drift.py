@@ -51,6 +51,8 @@ def middle(case):
 
 def growth_rates(case):
     """(end of the window, slope of log rms) for each window from t = 20 on."""
+    if "interface_variance" not in case.series:
+        return []
     t, rms = middle(case), np.sqrt(case.series["interface_variance"])
     rates = []
     for end in np.arange(2 * WINDOW, case.end[-1] + 0.5, WINDOW):
@@ -101,7 +103,8 @@ def print_waves(cases):
     print("|---|---|---|---|")
     for case in cases:
         rates = ", ".join(f"{rate:.5f}" for _, rate in growth_rates(case))
-        print(f"| {case.grid} | {option_of(case)} | {rates or '-'} | {case.series['interface_width_cells'][-1]:.2f} |")
+        width = case.series.get("interface_width_cells")
+        print(f"| {case.grid} | {option_of(case)} | {rates or '-'} | {'-' if width is None else f'{width[-1]:.2f}'} |")
 
 
 def print_swings(cases):

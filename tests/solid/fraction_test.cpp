@@ -15,7 +15,7 @@ using support::Domain;
 
 class EdgeFraction : public testing::TestWithParam<double> {
  protected:
-  Domain d{MPI_COMM_WORLD, {6, 12, 5}, {}, support::faces(12, 2, GetParam())};
+  Domain d{MPI_COMM_WORLD, {6, 12, 12}, {}, support::faces(12, 2, GetParam())};
   grid::Field phi{d.grid, 1};
 
   /// The share of each cell above a height.

@@ -81,7 +81,7 @@ TEST(Restart, AnExplicitElasticForceGoesOnWithTheSameBits) {
     p.reynolds = 300;
     p.solid->G = 0.5;
     p.solid->stiffness = Stiffness::kExplicit;
-    expect_same_bits_from_any_moment(p, 40, false);
+    expect_same_bits_from_any_moment(p, 120, false);
   }
 }
 

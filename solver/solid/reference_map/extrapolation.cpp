@@ -18,6 +18,13 @@ namespace {
 /// The larger of both; in z only where the flow has more than one cell.
 double horizontal_spacing(const Grid& g) { return g.nz_global > 1 ? std::max(g.dx, g.dz) : g.dx; }
 
+/// The slope between neighbours, as far as it agrees with that over a larger height.
+Real held_slope(Real between_neighbours, Real over_height) {
+  constexpr Real kFurthest = Real(0.1);
+  const Real off = between_neighbours - over_height, less = off < kFurthest ? off : kFurthest;
+  return over_height + (less > -kFurthest ? less : -kFurthest);
+}
+
 }  // namespace
 
 Extrapolation::Extrapolation(const Grid& grid)
@@ -26,10 +33,10 @@ Extrapolation::Extrapolation(const Grid& grid)
       surface_(static_cast<std::size_t>(grid.nx)),
       slope_(static_cast<std::size_t>(grid.nx)) {}
 
-/// The row whose point, with that of row j, gives the slope at row j.
+/// The row whose point, with that of row j, gives the slope at row j over the height.
 int Extrapolation::upper_end_of_slope(const grid::RowArray& y, int j) const {
-  const double enough =
-      slope_height_ * (1 - 1e-6);  // spacings that are equal but for round-off count as such
+  constexpr double kRoundOff = 1e-6;
+  const double enough = slope_height_ * (1 - kRoundOff);
   int upper = j + 1;
   while (upper < grid_.ny && y[upper] - y[j] < enough) ++upper;
   return upper;
@@ -43,6 +50,14 @@ void Extrapolation::extend(View<Real> d, const grid::RowArray& y, int j0, const 
   const int nx = grid_.nx, top = grid_.ny - 1;
   double* const eta = surface_.data();
   Real* const slope = slope_.data();
+  const auto line_from = [=, this, &y](int j, int k) {
+    const int end = upper_end_of_slope(y, j);
+    const Real to_next = 1 / Real(y[j + 1] - y[j]), over_height = 1 / Real(y[end] - y[j]);
+    return [=](int i) {
+      const Real own = d(i, j, k);
+      return slopes.within(held_slope((d(i, j + 1, k) - own) * to_next, (d(i, end, k) - own) * over_height));
+    };
+  };
   for (int k = 0; k < grid_.nz; ++k) {
     double highest = y[j0];
 #pragma omp simd reduction(max : highest)
@@ -52,19 +67,18 @@ void Extrapolation::extend(View<Real> d, const grid::RowArray& y, int j0, const 
     }
     int solid = top;
     while (solid > j0 && y[solid - 1] >= highest) --solid;
-    const int top_end = upper_end_of_slope(y, solid);
-    const Real inverse_top = 1 / Real(y[top_end] - y[solid]);
+    const auto highest_line = line_from(solid, k);
 #pragma omp simd
-    for (int i = 0; i < nx; ++i) slope[i] = slopes.within((d(i, top_end, k) - d(i, solid, k)) * inverse_top);
+    for (int i = 0; i < nx; ++i) slope[i] = highest_line(i);
     for (int j = solid - 1; j >= j0; --j) {
       const double here = y[j];
-      const int end = upper_end_of_slope(y, j);
-      const Real height = Real(y[j + 1] - y[j]), inverse = 1 / Real(y[end] - y[j]);
+      const Real height = Real(y[j + 1] - y[j]);
+      const auto own_line = line_from(j, k);
 #pragma omp simd
       for (int i = 0; i < nx; ++i) {
         const bool is_solid = here >= eta[i];
         const Real own = d(i, j, k), above = d(i, j + 1, k);
-        const Real line = is_solid ? slopes.within((d(i, end, k) - own) * inverse) : slope[i];
+        const Real line = is_solid ? own_line(i) : slope[i];
         slope[i] = line;
         d(i, j, k) = is_solid ? own : above - line * height;
       }
