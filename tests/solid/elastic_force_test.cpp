@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/fields.hpp"
 #include "tests/support/physics.hpp"
 #include "tests/support/round_off.hpp"
 

@@ -67,9 +67,8 @@ INSTANTIATE_TEST_SUITE_P(, OrderInTimeOfASolid,
                          testing::Combine(testing::ValuesIn(support::kBothFormulations),
                                           testing::Values(Stiffness::kExplicit, Stiffness::kImplicit)),
                          [](const auto& test) {
-                           const auto [formulation, stiffness] = test.param;
-                           return std::string(support::name_of(formulation)) +
-                                  (stiffness == Stiffness::kImplicit ? "Implicit" : "Explicit");
+                           return std::string(support::name_of(std::get<0>(test.param))) +
+                                  (std::get<1>(test.param) == Stiffness::kImplicit ? "Implicit" : "Explicit");
                          });
 
 }  // namespace
