@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/statistics_file.hpp"
+#include "solver/run_directory/block_statistics.hpp"
 
 /// Time means over chosen blocks. `weights` holds one number a block: the block's sampled time, or 0 to leave
 /// it out; so a partial block counts for exactly the time that it has sampled.

@@ -1,7 +1,7 @@
 """What every figure needs: the cases of a campaign folder, their means, and the look of a plot.
 
-Everything is in units of the half height h, the bulk velocity U_b and density 1. Fits (d, k + Dk, DU+) are read
-from results.db and never repeated here: analysis/log_law.cpp has the only one.
+Everything is in units of the half height h, the bulk velocity U_b and density 1. Fits of the log law
+(d, k + Dk, DU+) are read from results.db and never repeated here: analysis/log_law.cpp has the only one.
 """
 
 import argparse
@@ -45,6 +45,7 @@ class Case:
         self.G = solid.get("G", math.inf)
         self.ratio = solid.get("viscosity_ratio", 1.0)
         domain = physics.get("domain", {})
+        self.layer_height = domain.get("layer_height", 0.5)
         self.box = domain.get("length_x", 6.0), domain.get("length_z", 3.0)  # periods in x and z, h
         grid = physics["grid"]
         layer = f"+{grid['ny_solid']}" if self.elastic else ""
@@ -122,7 +123,9 @@ class SeriesCase:
 def read_series_campaign(folder, flow, kind=SeriesCase):
     """All cases of this flow, coarsest first; a damaged one is left out by name."""
     cases = []
-    for file in sorted(pathlib.Path(folder).glob("cases/*/case.json")):
+    for file in (path / "case.json" for path in case_directories(pathlib.Path(folder))):
+        if not file.exists():
+            continue
         try:
             cases.append(kind(file.parent))
         except (OSError, KeyError, ValueError) as error:
@@ -145,6 +148,21 @@ def _read_results(campaign):
         return results
 
 
+def case_directories(campaign):
+    """The run directories of the campaign as it is now; what earlier versions of its file left behind is named."""
+    directories = sorted(path for path in campaign.glob("cases/*") if path.is_dir())
+    store = campaign / "results.db"
+    if not store.exists():
+        return directories
+    with sqlite3.connect(f"{store.resolve().as_uri()}?mode=ro", uri=True) as connection:
+        rows = connection.execute("SELECT directory FROM cases WHERE in_campaign = 0")
+        left_over = {pathlib.Path(directory).name for (directory,) in rows}
+    left_out = [path.name for path in directories if path.name in left_over and (path / "statistics.h5").exists()]
+    if left_out:
+        print(f"left out, no longer part of the campaign: {', '.join(left_out)}", file=sys.stderr)
+    return [path for path in directories if path.name not in left_over]
+
+
 def _choose_styles(cases):
     """Colour by G, largest first; line by viscosity ratio, full for 1."""
     moduli = sorted({case.G for case in cases if case.elastic}, reverse=True)
@@ -162,11 +180,13 @@ def read_campaign(folder):
         sys.exit(f"{campaign} is not a folder; give the campaign folder, the one that holds cases/")
     results = _read_results(campaign)
     cases = []
-    for statistics in sorted(campaign.glob("cases/*/statistics.h5")):
+    for directory in case_directories(campaign):
+        if not (directory / "statistics.h5").exists():
+            continue
         try:
-            cases.append(Case(statistics.parent, results))
+            cases.append(Case(directory, results))
         except (OSError, KeyError, ValueError) as error:
-            print(f"left out {statistics.parent}: {error}", file=sys.stderr)
+            print(f"left out {directory}: {error}", file=sys.stderr)
     if not cases:
         sys.exit(f"no case in {campaign / 'cases'} has statistics yet")
     cases.sort(key=lambda case: (case.elastic, case.ratio != 1, case.ratio, -case.G))

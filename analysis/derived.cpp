@@ -11,6 +11,7 @@
 #include "analysis/jackknife.hpp"
 #include "analysis/stress_balance.hpp"
 #include "analysis/velocity_maximum.hpp"
+#include "solver/run_directory/statistics_checks.hpp"
 
 namespace softwall::analysis {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "analysis/log_law.hpp"
-#include "analysis/statistics_file.hpp"
+#include "solver/run_directory/block_statistics.hpp"
 
 /// The numbers of the paper's tables 1 and 2, with their uncertainty. Definitions: analysis/README.md.
 namespace softwall::analysis {

@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
-"""Friction Reynolds number of both walls against the modulus G, from results.db, beside the paper's table 1."""
+"""Friction Reynolds number of both walls against the modulus G, from results.db, beside the paper's table 1, with the
+modulus below which linear theory lets waves of the interface grow on a turbulent mean flow (linear_stability.py)."""
 
 import math
 
+import linear_stability
+import mean_profiles
 from campaign_data import LABEL_G, arguments, caption, plt, read_campaign, read_reference, save
 
 WALLS = ("re_tau", "re_tau_w")  # upper wall: full symbols; bottom wall: open ones
+WAVELENGTHS = (0.75, 1, 1.5)  # among which the first wave to grow is found at thicknesses near 0.5, h
 
 
 def marker_of(case):
@@ -45,6 +49,20 @@ def plot_campaign(axes, cases):
             axes.axhline(value, color="black", linewidth=0.7, label=f"rigid channel, {value:.1f}")
 
 
+def plot_onset(axes, cases):
+    """A line for each viscosity ratio: waves grow to the left of it. The mean flow is Cess's at the Reynolds number of
+    the cases."""
+    layers = sorted({(case.reynolds, case.layer_height, case.ratio) for case in cases if case.elastic})
+    for reynolds, thickness, ratio in layers:
+        lengths = [length * thickness / 0.5 for length in WAVELENGTHS]
+        found = linear_stability.onset(mean_profiles.cess(reynolds), linear_stability.Layer(1.0, ratio, thickness), lengths)
+        if found:
+            style = "-" if ratio == 1 else ("--" if ratio < 1 else ":")
+            words = "" if len(layers) == 1 else rf", $\mu^s/\mu^f={ratio:g}$"
+            axes.axvline(found[0], color="0.5", linewidth=0.9, linestyle=style,
+                         label=f"waves grow below $G={found[0]:.2f}$ (linear theory{words})")
+
+
 def main():
     options = arguments(__doc__)
     cases = read_campaign(options.campaign)
@@ -53,6 +71,7 @@ def main():
     figure, axes = plt.subplots(figsize=(9, 5), layout="constrained")
     plot_paper(axes)
     plot_campaign(axes, cases)
+    plot_onset(axes, cases)
     axes.set(xscale="log", xlabel=LABEL_G, ylabel=r"$Re_\tau$, $Re_\tau^w$")
     axes.set_xticks([0.25, 0.5, 1, 2, 4], ["0.25", "0.5", "1", "2", "4"], minor=False)
     axes.minorticks_off()

@@ -15,8 +15,9 @@ def option_of(case):
     """What the solid is made with, in a few words."""
     solid = json.loads((case.directory / "case.json").read_text())["physics"]["solid"]
     if solid.get("formulation") == "transported_B":
-        transport = "MTHINC" if solid.get("interface") == "mthinc" else {"z": "WENO-Z", "js": "WENO-JS"}[solid["weno"]]
-        return f"{transport}, threshold {solid['threshold']:g}"
+        weno = {"z": "WENO-Z", "js": "WENO-JS"}[solid.get("weno", "z")]
+        transport = {"mthinc": "MTHINC", "height": "height"}.get(solid.get("interface"), weno)
+        return f"{transport}, threshold {solid.get('threshold', 0.9):g}"
     return "reference map"
 
 

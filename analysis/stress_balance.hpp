@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "analysis/statistics_file.hpp"
+#include "solver/run_directory/block_statistics.hpp"
 
 /// Convergence check: in a stationary mean the total shear stress is the straight line u_tau_w^2 - P y,
 /// through fluid and solid, because P acts over the whole height.

@@ -1,25 +1,32 @@
+#include <sqlite3.h>
+
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <map>
+#include <string_view>
 
-#include "campaign/campaign_lock.hpp"
 #include "campaign/commands/commands.hpp"
-#include "campaign/sqlite.hpp"
+#include "campaign/runner/campaign_lock.hpp"
+#include "campaign/store/sqlite.hpp"
+#include "campaign/store/text_width.hpp"
 #include "solver/case/bad_input.hpp"
-#include "solver/case/build_info.hpp"
+#include "solver/case/option_number.hpp"
 #include "solver/case/spelling.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 /// softwall: the command line of the campaign manager.
 namespace softwall::campaign {
 namespace {
 
+constexpr double kLongestStallMinutes = 1e6;  // two years
+
 /// What was given after the name of a command.
 struct Arguments {
   std::filesystem::path path, file;
   std::string sql, chosen;
-  bool json = false, csv = false, watch = false;
+  bool json = false, csv = false, watch = false, remove = false;
   RunOptions run;
   [[nodiscard]] OutputFormat format() const {
     return json ? OutputFormat::kJson : csv ? OutputFormat::kCsv : OutputFormat::kText;
@@ -57,7 +64,11 @@ CommandLine::CommandLine() {
     command
         ->add_option("--stall-minutes", arguments_.run.stall_minutes,
                      "End an attempt that makes no step for this long")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+              return trouble_with_number(text, {.low_allowed = false, .high = kLongestStallMinutes});
+            },
+            ""))
         ->capture_default_str();
   }
   CLI::App* plan = add("plan", "Show what run would do, and what it would cost",
@@ -75,6 +86,9 @@ CommandLine::CommandLine() {
         return verify_campaign(given.path, given.chosen.empty() ? std::nullopt : std::optional(given.chosen));
       });
   verify->add_option("CASE", arguments_.chosen, "Label, or beginning of the id, of a single case");
+  CLI::App* clean = add("clean", "List cases left over from earlier versions of the campaign file",
+                        [](const Arguments& given) { return clean_campaign(given.path, given.remove); });
+  clean->add_flag("--remove", arguments_.remove, "Remove them, with their run directories");
   add("rebuild", "Make the results store again from the run directories",
       [](const Arguments& given) { return rebuild_store(given.path); });
 }
@@ -152,21 +166,48 @@ ExitStatus CommandLine::run(int count, char** words) {
   return actions_.at(app_.get_subcommands().front())(arguments_);
 }
 
+/// What is to be done about a store that cannot be used. Made again is only what is damaged: on a full disk,
+/// or while another program holds it, that would take away what is still good.
+std::string advice_for(const SqliteError& error) {
+  switch (error.primary_code()) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "Another program holds the results store; end its transaction, then run the same command "
+             "again.\n";
+    case SQLITE_FULL:
+      return "Make room on the disk, then run the same command again.\n";
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      return "A damaged results store can be made again:  softwall rebuild PATH\n";
+    default:
+      return "";
+  }
+}
+
+/// A result that did not reach its reader was not delivered. What `run` has done, though, is done.
+ExitStatus delivered(ExitStatus status) {
+  if (std::cout << std::flush) return status;
+  std::cerr << "softwall: cannot write to standard output\n";
+  return status == ExitStatus::kDone ? ExitStatus::kError : status;
+}
+
 ExitStatus run_reporting_errors(int count, char** words) {
   try {
-    return CommandLine().run(count, words);
+    const bool runs =
+        count > 1 && (std::string_view(words[1]) == "run" || std::string_view(words[1]) == "resume");
+    const ExitStatus status = CommandLine().run(count, words);
+    return runs ? status : delivered(status);
   } catch (const BadInput& error) {
-    std::cerr << error.what() << "\n";
+    std::cerr << printable_lines(error.what()) << "\n";
     return ExitStatus::kBadInput;
   } catch (const CampaignOwned& error) {
-    std::cerr << "softwall: " << error.what() << "\n";
+    std::cerr << "softwall: " << printable_lines(error.what()) << "\n";
     return ExitStatus::kOwned;
   } catch (const SqliteError& error) {
-    std::cerr << "softwall: " << error.what() << "\n"
-              << "A damaged or lost results store can be made again:  softwall rebuild PATH\n";
+    std::cerr << "softwall: " << printable_lines(error.what()) << "\n" << advice_for(error);
     return ExitStatus::kError;
   } catch (const std::exception& error) {
-    std::cerr << "softwall: " << error.what() << "\n";
+    std::cerr << "softwall: " << printable_lines(error.what()) << "\n";
     return ExitStatus::kError;
   }
 }

@@ -1,8 +1,9 @@
--- The results store of a campaign, format 1: <campaign directory>/results.db.
+-- The results store of a campaign, format 3: <campaign directory>/results.db.
 --
--- Written by `softwall` only; read it with `softwall query "SQL" DIR` or with sqlite3. Start with the view
--- `results`. application_id and user_version are set by campaign/store_schema.cpp in the transaction that runs this
--- file; every later format comes with a file in schemas/migrations/.
+-- Written by `softwall` only; read it with `softwall query DIR "SQL"` or with sqlite3. Start with the view
+-- `results`. application_id and user_version are set by campaign/store/store_schema.cpp in the transaction that runs
+-- this file; schemas/migrations/from_<format>.sql takes the tables of a store of an earlier format to the next, and
+-- its views are made anew.
 --
 -- The comment behind a column, "[unit] meaning", is its documentation: it is copied into the table `documentation`,
 -- and a test fails when a column has none. Unit "-": none. Times of day are ISO 8601 UTC text. Lengths in h,
@@ -53,7 +54,6 @@ CREATE TABLE attempts (
   intended         TEXT NOT NULL,               -- [UTC] decided, before the launch
   started          TEXT,                        -- [UTC] launched; NULL: not known to have been
   ended            TEXT,                        -- [UTC] ended; NULL: running, or its manager died
-  pid              INTEGER,                     -- [-] process id of the launcher
   host             TEXT NOT NULL,               -- [-] machine
   ranks            INTEGER NOT NULL,            -- [-] MPI ranks
   resumed_from     TEXT,                        -- [-] checkpoint it started from; NULL: the initial state
@@ -71,6 +71,7 @@ CREATE TABLE attempts (
   git_revision     TEXT,                        -- [-] revision softwall-dns was built from
   build_type       TEXT,                        -- [-] Release, Debug, ...
   compiler         TEXT,                        -- [-] compiler and its version
+  handle           TEXT,                        -- [-] by which its launcher finds the attempt; NULL: never launched
   PRIMARY KEY (case_id, attempt)
 ) STRICT;
 
@@ -125,8 +126,11 @@ CREATE TABLE documentation (
   PRIMARY KEY (object, column_name)
 ) STRICT;
 
--- The result of the campaign: one row a case, precursor first. X_ci95 is the half width of X's 95 % interval.
-CREATE VIEW results (
+-- Views. They are made anew whenever a store of an earlier format is opened.
+
+-- The results of all cases that the store knows, one row a case, precursor first; also of those that earlier
+-- versions of the campaign file asked for. X_ci95 is the half width of X's 95 % interval.
+CREATE VIEW results_all (
   case_id,            -- [-] hash of the physical parameters
   label,              -- [-] for people
   G,                  -- [rho U_b^2] modulus of transverse elasticity; NULL: rigid precursor
@@ -196,6 +200,9 @@ SELECT c.case_id, c.label, c.G, c.viscosity_ratio,
 FROM cases c LEFT JOIN pivot p ON p.case_id = c.case_id
 ORDER BY c.is_precursor DESC, c.viscosity_ratio = 1 DESC, c.viscosity_ratio, c.G DESC, c.case_id;
 
+-- The result of the campaign: the rows of results_all that are part of the campaign as it is now.
+CREATE VIEW results AS SELECT * FROM results_all WHERE in_campaign = 1;
+
 -- Every launch, in the order of the decisions, with the case's label.
 CREATE VIEW attempt_history (
   intended,           -- [UTC] decided
@@ -250,7 +257,7 @@ CREATE VIEW timeline (
 WITH events (at, rank, event, attempt, detail, case_id) AS (
   SELECT intended, 1, 'attempt intended', attempt, ranks || ' ranks on ' || host, case_id FROM attempts
   UNION ALL
-  SELECT started, 2, 'attempt started', attempt, 'pid ' || pid, case_id FROM attempts WHERE started IS NOT NULL
+  SELECT started, 2, 'attempt started', attempt, handle, case_id FROM attempts WHERE started IS NOT NULL
   UNION ALL
   SELECT ended, 3, 'attempt ended', attempt, outcome || iif(coalesce(reason, '') = '', '', ': ' || reason), case_id
   FROM attempts WHERE ended IS NOT NULL

@@ -1,21 +1,26 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "solver/case/option_number.hpp"
 #include "solver/right_program.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stop_request.hpp"
 
-// softwall-dns: runs one case under mpirun. See solver/case/exit_codes.hpp for what it returns.
+// softwall-dns: runs one case under mpirun. See solver/run_directory/exit_codes.hpp for what it returns.
 
 namespace {
 
 softwall::RunOptions parse(CLI::App& app, int argc, char** argv) {
   softwall::RunOptions options;
   app.add_option("RUN_DIR", options.files.directory, "folder that holds case.json")->required();
+  const auto within = [](softwall::OptionRange range) {
+    return CLI::Validator([range](const std::string& text) { return trouble_with_number(text, range); }, "");
+  };
   app.add_option("--attempt", options.attempt, "number of this attempt, for the reports")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--wall-seconds", options.wall_seconds, "stop in order before so many seconds have passed")
-      ->check(CLI::NonNegativeNumber);
+      ->check(within({.high = 1e9}));
+  app.add_option("--wall-seconds", options.wall_seconds,
+                 "stop in order before so many seconds have passed; 0: no limit")
+      ->check(within({.high = 1e9}));
   app.add_flag("--profile", options.profile, "say at the end where the time went and what was sent");
   app.parse(argc, argv);
   return options;

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "solver/case/case.hpp"
-#include "solver/case/programs.hpp"
 #include "solver/grid/grid.hpp"
+#include "solver/run_directory/programs.hpp"
 
 namespace softwall {
 

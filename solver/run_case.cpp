@@ -4,12 +4,12 @@
 #include <sstream>
 
 #include "solver/case/bad_input.hpp"
-#include "solver/case/build_info.hpp"
 #include "solver/case/input_file.hpp"
-#include "solver/case/programs.hpp"
 #include "solver/output/agree.hpp"
 #include "solver/output/parallel_file.hpp"
 #include "solver/output/run_lock.hpp"
+#include "solver/run_directory/build_info.hpp"
+#include "solver/run_directory/programs.hpp"
 #include "solver/simulation.hpp"
 
 namespace softwall {
@@ -77,16 +77,15 @@ std::string introduction(const Case& c, const RunOptions& options, int ranks) {
 /// An attempt that could not begin. A case that has finished before keeps its summary.
 void summarise_failure(const Case& c, const RunOptions& options, const parallel::Communicator& world,
                        const output::AgreedError& error) {
-  output::Summary s;
+  Summary s;
   s.case_id = c.id;
   s.attempt = options.attempt;
   s.ranks = world.size();
-  s.exit_code = error.code;
   s.reason = error.what();
   s.end_time = c.run.end_time;
   s.started = utc_now();
   output::agree_on_root(world, ExitCode::kFailed, [&] {
-    if (!output::says_finished(options.files, c.id)) output::write_summary(options.files, s);
+    if (!output::says_finished(options.files, c.id)) output::write_summary(options.files, error.code, s);
   });
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "solver/case/build_info.hpp"
+#include "solver/case/time_comparison.hpp"
 #include "solver/fluid/stability.hpp"
 #include "solver/output/agree.hpp"
 #include "solver/output/checkpoint_reader.hpp"
@@ -19,6 +19,8 @@
 #include "solver/output/snapshot.hpp"
 #include "solver/parallel/reduce.hpp"
 #include "solver/pressure/projection.hpp"
+#include "solver/run_directory/build_info.hpp"
+#include "solver/run_directory/statistics_file.hpp"
 #include "solver/statistics/solid_health.hpp"
 #include "solver/stop_request.hpp"
 #include "solver/time/closed_box.hpp"
@@ -93,7 +95,7 @@ ExitCode Simulation::run() {
   if (state_.step == 0 && case_.run.field_interval > 0 && is_closed_box(case_.physics.flow)) {
     output::write_snapshot(options_.files, state_, setup_);  // what later shapes are compared with
   }
-  while (!next.stop() && state_.time < case_.run.end_time) {
+  while (!next.stop() && !has_reached(state_.time, case_.run.end_time)) {
     const double time_before = state_.time;
     step(next.convection_rate);
     next = decide();
@@ -169,7 +171,8 @@ void Simulation::checkpoint() {
 
 void Simulation::snapshot(double time_before) {
   const double interval = case_.run.field_interval;
-  if (interval <= 0 || std::floor(state_.time / interval) == std::floor(time_before / interval)) return;
+  if (interval <= 0 || intervals_passed(state_.time, interval) == intervals_passed(time_before, interval))
+    return;
   const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   output::write_snapshot(options_.files, state_, setup_);
 }
@@ -187,15 +190,15 @@ void Simulation::write_results() {
 ExitCode Simulation::finish(const Decision& last) {
   report();
   write_results();
-  const bool finished = state_.time >= case_.run.end_time;
+  const bool finished = has_reached(state_.time, case_.run.end_time);
   const ExitCode code = finished ? ExitCode::kDone : ExitCode::kInterrupted;
   std::string reason = "end time reached";
-  if (!finished) reason = last.signal != 0 ? "signal " + std::to_string(last.signal) : "wall-clock limit";
+  if (!finished) reason = last.signal != 0 ? describe_stop_signal(last.signal) : "wall-clock limit";
   summarise(code, reason);
   write_status();
   std::ostringstream line;
-  line << output::outcome_of(code) << " (" << reason << ") at step " << state_.step << ", time "
-       << state_.time << " of " << case_.run.end_time << "; " << pace_.steps() << " steps, "
+  line << outcome_of(code) << " (" << reason << ") at step " << state_.step << ", time " << state_.time
+       << " of " << case_.run.end_time << "; " << pace_.steps() << " steps, "
        << pace_.ns_per_cell_step(setup_.grid.cells()) << " ns per cell and step";
   say(line.str());
   if (options_.profile) {
@@ -222,10 +225,18 @@ void Simulation::write_status() {
   if (world_.rank() != 0) return;
   const std::string limit = last_step_.limit;
   try {
-    output::write_status(options_.files,
-                         {case_.id, options_.attempt, world_.size(), state_.step, state_.time,
-                          case_.run.end_time, last_step_.dt, limit == "convection" ? "advection" : limit,
-                          pace_.seconds_per_step(), checkpoint_step_});
+    Status s;
+    s.case_id = case_.id;
+    s.attempt = options_.attempt;
+    s.ranks = world_.size();
+    s.step = state_.step;
+    s.time = state_.time;
+    s.end_time = case_.run.end_time;
+    s.dt = last_step_.dt;
+    s.dt_limit = limit == "convection" ? "advection" : limit;
+    s.seconds_per_step = pace_.seconds_per_step();
+    s.checkpoint_step = checkpoint_step_;
+    output::write_status(options_.files, s);
   } catch (const std::system_error& error) {
     say(std::string("cannot write the status: ") + error.what());
   }
@@ -251,22 +262,22 @@ std::map<std::string, double> Simulation::diagnostics() {
 }
 
 void Simulation::summarise(ExitCode code, const std::string& reason) {
-  output::Summary s{case_.id,
-                    options_.attempt,
-                    world_.size(),
-                    code,
-                    reason,
-                    state_.step,
-                    state_.time,
-                    case_.run.end_time,
-                    pace_.steps(),
-                    output::Timer::seconds_since(options_.started),
-                    pace_.ns_per_cell_step(setup_.grid.cells()),
-                    checkpoint_step_ < 0 ? "" : relative(options_.files.checkpoint(checkpoint_step_)),
-                    resumed_from_,
-                    started_,
-                    diagnostics()};
-  agree_on_root(world_, ExitCode::kFailed, [&] { output::write_summary(options_.files, s); });
+  Summary s;
+  s.case_id = case_.id;
+  s.attempt = options_.attempt;
+  s.ranks = world_.size();
+  s.reason = reason;
+  s.step = state_.step;
+  s.time = state_.time;
+  s.end_time = case_.run.end_time;
+  s.attempt_steps = pace_.steps();
+  s.wall_seconds = output::Timer::seconds_since(options_.started);
+  s.ns_per_cell_step = pace_.ns_per_cell_step(setup_.grid.cells());
+  if (checkpoint_step_ >= 0) s.checkpoint = relative(options_.files.checkpoint(checkpoint_step_));
+  s.resumed_from = resumed_from_;
+  s.started = started_;
+  s.diagnostics = diagnostics();
+  agree_on_root(world_, ExitCode::kFailed, [&] { output::write_summary(options_.files, code, s); });
 }
 
 std::string Simulation::relative(const std::filesystem::path& file) const {

@@ -5,12 +5,12 @@
 #include <string>
 
 #include "solver/case/case.hpp"
-#include "solver/case/exit_codes.hpp"
-#include "solver/case/run_files.hpp"
 #include "solver/output/checkpoint_contents.hpp"
 #include "solver/output/checkpoints.hpp"
 #include "solver/output/pace.hpp"
 #include "solver/output/reports.hpp"
+#include "solver/run_directory/exit_codes.hpp"
+#include "solver/run_directory/run_files.hpp"
 #include "solver/statistics/statistics.hpp"
 #include "solver/time/advance.hpp"
 

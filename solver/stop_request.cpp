@@ -29,4 +29,17 @@ void install_signal_handlers() {
 
 int stop_signal() { return received; }
 
+std::string describe_stop_signal(int signal) {
+  switch (signal) {
+    case SIGUSR1:  // what the manager sends
+      return "stopped on request";
+    case SIGINT:
+      return "stopped on request (Ctrl-C)";
+    case SIGTERM:
+      return "ended from outside (SIGTERM)";
+    default:
+      return "stopped by signal " + std::to_string(signal);
+  }
+}
+
 }  // namespace softwall

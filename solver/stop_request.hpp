@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 /// Requests to stop in order: SIGUSR1, SIGTERM, SIGINT.
 namespace softwall {
 
@@ -10,5 +12,8 @@ void install_signal_handlers();
 
 /// Number of the signal that asked this process to stop; 0: none did.
 [[nodiscard]] int stop_signal();
+
+/// Why a run ends that such a signal stops, for people: "stopped on request".
+[[nodiscard]] std::string describe_stop_signal(int signal);
 
 }  // namespace softwall

@@ -10,7 +10,7 @@ passed=0 failed=0 skipped=0
 step() { printf '\n== %s (%d min %02d s)\n' "$1" $((SECONDS / 60)) $((SECONDS % 60)); }
 
 build() {  # preset
-  cmake --preset "$1" -DSOFTWALL_TESTS=ON -DSOFTWALL_JOIN=ON
+  cmake --preset "$1" -DSOFTWALL_JOIN=ON
   cmake --build --preset "$1" --parallel "$jobs"
 }
 
@@ -41,9 +41,9 @@ fi
 echo "as .clang-format says"
 
 step "Build, optimised, in build/"
-build release
+build ci
 step "Tests"
-run_tests release
+run_tests ci
 
 step "clang-tidy on the sources that changed last"
 tidy=0

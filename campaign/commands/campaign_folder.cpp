@@ -1,9 +1,10 @@
 #include "campaign/commands/campaign_folder.hpp"
 
-#include "campaign/expand.hpp"
-#include "campaign/observe.hpp"
-#include "campaign/spec.hpp"
-#include "campaign/store.hpp"
+#include "campaign/core/campaign_file.hpp"
+#include "campaign/launch/make_launcher.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/store/import_results.hpp"
+#include "campaign/store/store.hpp"
 #include "solver/case/bad_input.hpp"
 
 namespace softwall::campaign {
@@ -37,16 +38,34 @@ fs::path folder_of(const fs::path& path) {
 
 LoadedCampaign load_campaign(const fs::path& path) {
   const fs::path file = campaign_file(path);
-  LoadedCampaign loaded{expand(read_campaign(file)), folder_of(file)};
+  LoadedCampaign loaded{read_campaign(file), folder_of(file), {}};
+  Execution& execution = loaded.campaign.execution;
+  execution.cores = cores_to_use(execution.cores, *make_launcher(execution.launcher));
+  loaded.named = file.filename() == kCampaignFile ? loaded.folder : loaded.folder / file.filename();
   keep_existing_directories(loaded.campaign, loaded.folder);
   return loaded;
+}
+
+std::vector<Observation> observe_with_history(const LoadedCampaign& loaded, const Launcher& launcher) {
+  auto observations = observe_all(loaded.campaign, loaded.folder, launcher);
+  std::error_code unreadable;
+  if (!fs::exists(store_path(loaded.folder), unreadable)) return observations;
+  const Store store = Store::open(loaded.folder, OpenMode::kReadOnly);
+  for (Observation& seen : observations) seen = with_history(seen, store);
+  return observations;
+}
+
+std::vector<Observation> observe_for_run(const LoadedCampaign& loaded, const Launcher& launcher) {
+  auto observations = observe_with_history(loaded, launcher);
+  for (Observation& seen : observations) seen.attempts_without_progress = 0;
+  return observations;
 }
 
 fs::path folder_with_store(const fs::path& path) {
   const fs::path folder = folder_of(path);
   std::error_code unreadable;
-  if (!fs::exists(Store::path_in(folder), unreadable)) {
-    throw BadInput(path.string(), {{"", "no results store there (" + Store::path_in(folder).string() + ")",
+  if (!fs::exists(store_path(folder), unreadable)) {
+    throw BadInput(path.string(), {{"", "no results store there (" + store_path(folder).string() + ")",
                                     "the folder of a campaign that has been run"}});
   }
   return folder;

@@ -1,19 +1,31 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
-#include "campaign/campaign.hpp"
+#include "campaign/core/campaign.hpp"
+#include "campaign/launch/launcher.hpp"
 
 namespace softwall::campaign {
 
 /// A campaign and the folder it lives in.
 struct LoadedCampaign {
-  Campaign campaign;
+  Campaign campaign;  ///< "all cores there are" as a number
   std::filesystem::path folder;
+  std::filesystem::path named;  ///< absolute; what means this campaign on a command line: its folder, or the
+                                ///< campaign file where that is not campaign.json
 };
 
 /// From a campaign file, or from a folder with a campaign.json. Throws BadInput.
 [[nodiscard]] LoadedCampaign load_campaign(const std::filesystem::path& path);
+
+/// What the run directories say, with what the store knows besides of attempts that failed.
+[[nodiscard]] std::vector<Observation> observe_with_history(const LoadedCampaign& loaded,
+                                                            const Launcher& launcher);
+
+/// The same as a run sees it: whoever runs a campaign asks for another try of what has failed.
+[[nodiscard]] std::vector<Observation> observe_for_run(const LoadedCampaign& loaded,
+                                                       const Launcher& launcher);
 
 /// The folder that a path means, with a results store in it. Throws BadInput when there is none.
 [[nodiscard]] std::filesystem::path folder_with_store(const std::filesystem::path& path);

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "campaign/campaign.hpp"
 #include "campaign/commands/exit_status.hpp"
+#include "campaign/core/campaign.hpp"
 
 /// The commands of softwall, one file each. Results go to standard output, messages to standard error.
 /// A path is a campaign file or its folder. All throw BadInput for what cannot be used.
@@ -33,6 +33,9 @@ enum class OutputFormat { kText, kCsv, kJson };
 /// in full. Changes nothing.
 [[nodiscard]] ExitStatus verify_campaign(const std::filesystem::path& path,
                                          const std::optional<std::string>& chosen);
+/// Lists the cases that are no longer part of the campaign; removes their run directories and what the store
+/// knows of them only when that is asked for.
+[[nodiscard]] ExitStatus clean_campaign(const std::filesystem::path& path, bool really);
 [[nodiscard]] ExitStatus rebuild_store(const std::filesystem::path& path);
 
 }  // namespace softwall::campaign

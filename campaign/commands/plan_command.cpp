@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <map>
 
@@ -5,12 +6,17 @@
 
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
-#include "campaign/estimate.hpp"
-#include "campaign/eta.hpp"
-#include "campaign/observe.hpp"
-#include "campaign/plan.hpp"
-#include "campaign/result_table.hpp"
-#include "campaign/wording.hpp"
+#include "campaign/commands/left_behind.hpp"
+#include "campaign/commands/preflight.hpp"
+#include "campaign/core/estimate.hpp"
+#include "campaign/core/eta.hpp"
+#include "campaign/core/machine.hpp"
+#include "campaign/core/plan.hpp"
+#include "campaign/launch/make_launcher.hpp"
+#include "campaign/runner/wording.hpp"
+#include "campaign/store/result_table.hpp"
+#include "campaign/store/text_width.hpp"
+#include "campaign/system/clock.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -21,23 +27,40 @@ struct PlannedCase {
   Estimate cost;
 };
 
-std::vector<PlannedCase> plan_all(const LoadedCampaign& loaded) {
-  const auto observations = observe_all(loaded.campaign, loaded.folder);
-  const auto decisions = decide(loaded.campaign, observations);
-  std::vector<PlannedCase> planned;
-  for (std::size_t i = 0; i < loaded.campaign.cases.size(); ++i) {
-    const CampaignCase& one = loaded.campaign.cases[i];
-    const double ns = measured_ns_per_cell_step(loaded.campaign, observations, one.definition.physics);
+struct PlannedCampaign {
+  std::vector<PlannedCase> cases;
+  Preflight ready;
+  double wall_seconds = 0;
+  std::vector<LeftBehind> left_behind;
+};
+
+PlannedCampaign plan_all(const LoadedCampaign& loaded) {
+  const Campaign& campaign = loaded.campaign;
+  const auto launcher = make_launcher(campaign.execution.launcher);
+  const auto observations = observe_for_run(loaded, *launcher);
+  const auto decisions = decide(campaign, observations);
+  PlannedCampaign planned;
+  for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
+    const CampaignCase& one = campaign.cases[i];
+    const double ns = measured_ns_per_cell_step(campaign, observations, one.definition.physics);
     const bool done = decisions[i].outlook == Outlook::kKept;
     const double reached = done ? one.definition.run.end_time : observations[i].time;
-    planned.push_back({&one, decisions[i], estimate(one.definition, ns, reached)});
+    planned.cases.push_back({&one, decisions[i], estimate(one.definition, ns, reached)});
   }
+  planned.ready = preflight(loaded, observations, *launcher);
+  for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
+    const std::string& why = planned.ready.blocked[i];
+    if (!why.empty()) planned.cases[i].decision = {campaign.cases[i].definition.id, Outlook::kBlocked, why};
+  }
+  planned.wall_seconds = remaining_seconds(campaign, observations, {}, campaign.execution.cores);
+  planned.left_behind = left_behind(loaded);
   return planned;
 }
 
-void print_json(const LoadedCampaign& loaded, const std::vector<PlannedCase>& planned) {
-  nlohmann::ordered_json cases = nlohmann::json::array();
-  for (const auto& [one, decision, cost] : planned) {
+void print_json(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
+  nlohmann::ordered_json cases = nlohmann::json::array(), refused = nlohmann::json::array(),
+                         left = nlohmann::json::array();
+  for (const auto& [one, decision, cost] : planned.cases) {
     cases.push_back({{"label", one->definition.label},
                      {"case_id", one->definition.id},
                      {"directory", one->directory},
@@ -48,33 +71,62 @@ void print_json(const LoadedCampaign& loaded, const std::vector<PlannedCase>& pl
                      {"steps", cost.steps},
                      {"core_hours", cost.core_hours}});
   }
-  const nlohmann::ordered_json plan = {{"campaign", loaded.campaign.name}, {"cases", cases}};
-  std::cout << plan.dump(2) << std::endl;
+  for (const Mistake& mistake : planned.ready.mistakes)
+    refused.push_back({{"where", mistake.where}, {"given", mistake.given}, {"allowed", mistake.allowed}});
+  for (const LeftBehind& one : planned.left_behind) {
+    left.push_back({{"label", one.label},
+                    {"case_id", one.case_id},
+                    {"directory", one.directory},
+                    {"state", one.state},
+                    {"core_hours", one.core_hours},
+                    {"reason", one.reason}});
+  }
+  const nlohmann::ordered_json plan = {{"campaign", loaded.campaign.name},
+                                       {"cores", loaded.campaign.execution.cores},
+                                       {"wall_seconds", planned.wall_seconds},
+                                       {"disk_bytes", planned.ready.disk_bytes},
+                                       {"disk_free_bytes", planned.ready.disk_free_bytes},
+                                       {"memory_bytes", planned.ready.memory_bytes},
+                                       {"machine_memory_bytes", planned.ready.machine_memory_bytes},
+                                       {"refused", refused},
+                                       {"cases", cases},
+                                       {"left_behind", left}};
+  std::cout << plan.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
 }
 
-void print_text(const LoadedCampaign& loaded, const std::vector<PlannedCase>& planned) {
+void print_text(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
   ResultTable table{{"case", "plan", "why", "ranks", "cells", "steps", "core-hours"}, {}};
   std::map<std::string, int> counts;
   double core_hours = 0;
-  for (const auto& [one, decision, cost] : planned) {
+  for (const auto& [one, decision, cost] : planned.cases) {
     ++counts[to_string(decision.outlook)];
     core_hours += cost.core_hours;
     table.rows.push_back({one->definition.label, to_string(decision.outlook), decision.reason,
-                          std::int64_t{one->ranks}, static_cast<std::int64_t>(cost.cells),
-                          static_cast<std::int64_t>(cost.steps), short_number(cost.core_hours)});
+                          std::int64_t{one->ranks}, whole_number(cost.cells), whole_number(cost.steps),
+                          short_number(cost.core_hours)});
   }
   write_table(std::cout, table, TableFormat::kText);
-  std::cout << "\n" << loaded.campaign.name << ": " << planned.size() << " cases";
+  std::cout << "\n" << printable(loaded.campaign.name) << ": " << planned.cases.size() << " cases";
   for (const auto& [outlook, number] : counts) std::cout << ", " << number << " " << outlook;
-  std::cout << "; about " << short_number(core_hours) << " core-hours to do." << std::endl;
+  const int cores = loaded.campaign.execution.cores;
+  std::cout << "; about " << short_number(core_hours) << " core-hours to do.\n"
+            << "On " << cores << (cores == 1 ? " core" : " cores") << " of this machine: about "
+            << describe_duration(planned.wall_seconds) << "; memory " << gigabytes(planned.ready.memory_bytes)
+            << " of " << gigabytes(planned.ready.machine_memory_bytes) << "; disk for checkpoints "
+            << gigabytes(planned.ready.disk_bytes) << ", free " << gigabytes(planned.ready.disk_free_bytes)
+            << ".\n";
+  print_left_behind(std::cout, loaded, planned.left_behind);
+  std::cout << std::flush;
 }
 
 }  // namespace
 
 ExitStatus show_plan(const std::filesystem::path& path, bool json) {
   const LoadedCampaign loaded = load_campaign(path);
-  const auto planned = plan_all(loaded);
+  const PlannedCampaign planned = plan_all(loaded);
   json ? print_json(loaded, planned) : print_text(loaded, planned);
+  if (!planned.ready.mistakes.empty())  // run would refuse in these words
+    std::cerr << printable_lines(refusal(planned.ready, loaded.folder).what()) << "\n";
   return ExitStatus::kDone;
 }
 

@@ -3,18 +3,21 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <sstream>
+#include <fstream>
+#include <functional>
 #include <string>
 
-#include "campaign/observe.hpp"
+#include "campaign/core/case_mistakes.hpp"
+#include "campaign/core/machine.hpp"
+#include "campaign/system/find_program.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/file_descriptor.hpp"
-#include "solver/case/programs.hpp"
+#include "solver/run_directory/checkpoint_size.hpp"
+#include "solver/run_directory/programs.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -25,11 +28,7 @@ namespace fs = std::filesystem;
   throw BadInput(where, {{"", given, allowed}});
 }
 
-bool is_program(const fs::path& file) {
-  std::error_code unreadable;
-  return fs::is_regular_file(file, unreadable) && access(file.c_str(), X_OK) == 0;
-}
-
+/// softwall-dns: $SOFTWALL_DNS, or beside softwall itself. Throws BadInput.
 fs::path find_solver() {
   if (const char* chosen = std::getenv("SOFTWALL_DNS"); chosen != nullptr && *chosen != '\0') {
     if (!is_program(chosen)) refuse("SOFTWALL_DNS", chosen, "an executable softwall-dns");
@@ -43,42 +42,127 @@ fs::path find_solver() {
   return beside;
 }
 
-fs::path find_on_path(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path != nullptr ? path : "/usr/bin:/bin");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const fs::path file = fs::absolute(fs::path(folder) / name);
-    if (is_program(file)) return file;
+double disk_bytes(const Campaign& campaign, const std::vector<Observation>& observations) {
+  double needed = 0;
+  for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
+    const Observation& seen = observations[i];
+    if (seen.newest_checkpoint || seen.state == CaseState::kFinished) continue;  // its share is already there
+    // One more than is kept: the oldest goes only when the newest is complete.
+    const Case& one = campaign.cases[i].definition;
+    needed += static_cast<double>(checkpoint_field_bytes(one.physics)) * (one.run.keep_checkpoints + 1);
   }
-  refuse(name, "not found on the PATH", "Open MPI (on Debian: apt install openmpi-bin)");
+  return needed;
 }
 
-std::string gigabytes(double bytes) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g GB", bytes / 1e9);
-  return text.data();
+/// Of the cases that can be at work side by side: as many of the largest as the cores hold, precursors first.
+double memory_side_by_side(const Campaign& campaign, const std::vector<Decision>& decisions) {
+  double most = 0;
+  for (const bool precursors : {true, false}) {
+    std::vector<std::pair<double, int>> cases;  // memory and ranks
+    for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
+      const CampaignCase& one = campaign.cases[i];
+      if (one.is_precursor != precursors || !may_start(decisions[i].outlook)) continue;
+      cases.emplace_back(memory_bytes(one.definition, one.ranks), one.ranks);
+    }
+    std::ranges::sort(cases, std::greater<>());
+    int cores = campaign.execution.cores;
+    double sum = 0;
+    for (const auto& [bytes, ranks] : cases) {
+      if (ranks > cores) continue;
+      cores -= ranks;
+      sum += bytes;
+    }
+    most = std::max(most, sum);
+  }
+  return most;
 }
 
-/// Velocity and pressure; with a solid also phi and the six components of B.
-double checkpoint_bytes(const Physics& physics) {
-  const double cells = static_cast<double>(physics.grid.nx) * physics.grid.ny() * physics.grid.nz;
-  const std::size_t bytes = physics.precision == Precision::kSingle ? sizeof(float) : sizeof(double);
-  return cells * static_cast<double>(bytes) * (physics.solid ? 11 : 4);
+/// Physical memory, or what the control group of this process may have of it.
+double memory_here() {
+  double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  std::ifstream limit("/sys/fs/cgroup/memory.max");
+  if (double allowed = 0; limit >> allowed && allowed > 0) bytes = std::min(bytes, allowed);
+  return bytes;
+}
+
+/// The precisions whose solver does not stand beside `solver`.
+std::vector<std::string> missing_programs(const fs::path& solver) {
+  std::vector<std::string> missing;
+  const fs::path folder = fs::canonical(solver).parent_path();
+  if (!is_program(solver_program(folder, Precision::kSingle))) missing.push_back(name_of(Precision::kSingle));
+  return missing;
+}
+
+/// The obstacles of every case that is yet to be started; in the list each is told once.
+void add_obstacles_of_cases(const Campaign& campaign, const std::vector<Decision>& decisions,
+                            const Machine& machine, Preflight& result) {
+  CaseMistakes mistakes;
+  std::size_t cases = 0;
+  result.blocked.resize(campaign.cases.size());
+  for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
+    const CampaignCase& one = campaign.cases[i];
+    if (!may_start(decisions[i].outlook)) continue;
+    ++cases;
+    auto found = obstacles(one, campaign.execution, machine);
+    if (!found.empty())
+      result.blocked[i] =
+          "cannot be run here: " + found[0].where + ": " + found[0].given + "; " + found[0].allowed;
+    mistakes.add(one.definition.label, "", std::move(found));
+  }
+  for (Mistake& mistake : mistakes.all(cases)) result.mistakes.push_back(std::move(mistake));
+}
+
+/// What would become of the cases on a machine with any number of cores.
+std::vector<Decision> decide_without_limit(Campaign campaign, const std::vector<Observation>& observations) {
+  campaign.execution.cores = 0;
+  return decide(campaign, observations);
 }
 
 }  // namespace
 
-ProcessLauncher::Programs find_programs() { return {find_on_path("mpirun"), find_solver()}; }
+bool may_start(Outlook outlook) {
+  return outlook == Outlook::kStart || outlook == Outlook::kResume || outlook == Outlook::kWaiting;
+}
 
-void require_precisions(const Campaign& campaign, const fs::path& solver) {
-  const fs::path folder = fs::canonical(solver).parent_path();
-  for (const CampaignCase& one : campaign.cases) {
-    const Precision precision = one.definition.physics.precision;
-    const fs::path program = solver_program(folder, precision);
-    if (precision == Precision::kDouble || is_program(program)) continue;
-    refuse("physics.precision " + name_of(precision), "no executable " + program.string(),
-           "the solver of that precision, built beside softwall-dns");
+Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>& observations,
+                    Launcher& launcher) {
+  const Campaign& campaign = loaded.campaign;
+  const auto decisions = decide_without_limit(campaign, observations);
+  Preflight result;
+  const bool here = launcher.capacity().has_value();  // else a scheduler knows its machines, and we do not
+  Machine machine{campaign.execution.cores, here ? memory_here() : 0.0, {}};
+  try {
+    const fs::path solver = find_solver();
+    machine.no_programs = missing_programs(solver);
+    launcher.prepare(solver);
+  } catch (const BadInput& error) {
+    for (const Mistake& mistake : error.mistakes)
+      result.mistakes.push_back({error.source, mistake.given, mistake.allowed});
   }
+  add_obstacles_of_cases(campaign, decisions, machine, result);
+  result.disk_bytes = disk_bytes(campaign, observations);
+  result.disk_free_bytes = static_cast<double>(fs::space(loaded.folder).available);
+  result.memory_bytes = memory_side_by_side(campaign, decisions);
+  result.machine_memory_bytes = machine.memory_bytes;
+  if (result.disk_bytes > result.disk_free_bytes) {
+    result.mistakes.push_back({"disk", gigabytes(result.disk_free_bytes) + " free",
+                               "the checkpoints of this campaign take " + gigabytes(result.disk_bytes)});
+  }
+  if (here && result.memory_bytes > result.machine_memory_bytes && result.mistakes.empty()) {
+    result.mistakes.push_back(
+        {"/execution/cores",
+         "cases side by side would take about " + gigabytes(result.memory_bytes) + " of memory",
+         "this machine has " + gigabytes(result.machine_memory_bytes) + ": let fewer run at once"});
+  }
+  return result;
+}
+
+BadInput refusal(const Preflight& preflight, const fs::path& folder) {
+  return {folder.string() + " cannot be run here", preflight.mistakes};
+}
+
+void require_nothing_in_the_way(const Preflight& preflight, const fs::path& folder) {
+  if (!preflight.mistakes.empty()) throw refusal(preflight, folder);
 }
 
 void require_writable(const fs::path& folder) {
@@ -87,21 +171,6 @@ void require_writable(const fs::path& folder) {
   if (!file)
     refuse(folder.string(), std::string("cannot be written: ") + std::strerror(errno), "a writable folder");
   unlink(probe.c_str());
-}
-
-void require_disk_space(const Campaign& campaign, const fs::path& folder) {
-  double needed = 0;
-  for (const CampaignCase& one : campaign.cases) {
-    const Observation seen = observe(one, run_files(folder, one));
-    if (seen.newest_checkpoint || seen.state == CaseState::kFinished) continue;  // its share is already there
-    // One more than is kept: the oldest goes only when the newest is complete.
-    needed += checkpoint_bytes(one.definition.physics) * (one.definition.run.keep_checkpoints + 1);
-  }
-  const double available = static_cast<double>(fs::space(folder).available);
-  if (needed > available) {
-    refuse(folder.string(), gigabytes(available) + " free on its disk",
-           "the " + gigabytes(needed) + " that the checkpoints of this campaign take");
-  }
 }
 
 }  // namespace softwall::campaign

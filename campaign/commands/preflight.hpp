@@ -1,23 +1,42 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
-#include "campaign/campaign.hpp"
-#include "campaign/process_launcher.hpp"
+#include "campaign/commands/campaign_folder.hpp"
+#include "campaign/core/plan.hpp"
+#include "campaign/launch/launcher.hpp"
+#include "solver/case/bad_input.hpp"
 
-/// What must be right before anything is changed. Each failure throws BadInput with one clear message.
+/// What must be right before anything is changed. `plan` shows it, `run` refuses to start by it: the same
+/// checks in the same words.
 namespace softwall::campaign {
 
-/// softwall-dns: $SOFTWALL_DNS, or beside softwall itself; mpirun: on the PATH.
-[[nodiscard]] ProcessLauncher::Programs find_programs();
+struct Preflight {
+  std::vector<Mistake> mistakes;     ///< what is in the way; empty: nothing
+  std::vector<std::string> blocked;  ///< by case: why it cannot be started here; empty: it can
+  double disk_bytes = 0.0;           ///< that the checkpoints still to be written take
+  double disk_free_bytes = 0.0;
+  double memory_bytes = 0.0;  ///< of the cases at work side by side, at most
+  double machine_memory_bytes = 0.0;
+};
 
-/// The solver of every precision that the campaign's cases ask for stands beside `solver`.
-void require_precisions(const Campaign& campaign, const std::filesystem::path& solver);
+/// Looks only at what is yet to be started: the cases of a finished campaign need nothing. Prepares the
+/// launcher.
+[[nodiscard]] Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>& observations,
+                                  Launcher& launcher);
 
-/// A file can be made in the campaign's folder.
+/// All that is in the way, in the words in which a run is refused.
+[[nodiscard]] BadInput refusal(const Preflight& preflight, const std::filesystem::path& folder);
+
+/// Throws it if there is any.
+void require_nothing_in_the_way(const Preflight& preflight, const std::filesystem::path& folder);
+
+/// Whether a case is yet to be started, now or after its precursor.
+[[nodiscard]] bool may_start(Outlook outlook);
+
+/// A file can be made in the campaign's folder. Throws BadInput.
 void require_writable(const std::filesystem::path& folder);
-
-/// The checkpoints that unfinished cases will write fit on the disk.
-void require_disk_space(const Campaign& campaign, const std::filesystem::path& folder);
 
 }  // namespace softwall::campaign

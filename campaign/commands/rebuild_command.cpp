@@ -1,28 +1,113 @@
-#include <algorithm>
-#include <iostream>
+#include <unistd.h>
 
-#include "campaign/campaign_lock.hpp"
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <map>
+
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/preflight.hpp"
-#include "campaign/import_results.hpp"
-#include "campaign/observe.hpp"
-#include "solver/case/build_info.hpp"
+#include "campaign/launch/make_launcher.hpp"
+#include "campaign/observe/left_over.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/runner/campaign_lock.hpp"
+#include "campaign/store/import_results.hpp"
+#include "campaign/store/store_schema.hpp"
+#include "campaign/store/text_width.hpp"
+#include "solver/case/atomic_file.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
 namespace {
 
-/// Out of the way, never removed: with the two files that SQLite may keep beside it.
+constexpr std::array<const char*, 4> kSuffixes = {"", "-wal", "-shm", "-journal"};
+
+/// Attempts by case id, from the store that is about to be replaced: only the newest ones of a run directory
+/// written by an earlier version leave a trace there. Whatever of them can still be read.
+std::map<std::string, std::vector<PastAttempt>> attempts_in_old_store(
+    const std::filesystem::path& folder, const std::vector<CampaignCase>& cases) {
+  std::map<std::string, std::vector<PastAttempt>> attempts;
+  if (!std::filesystem::exists(store_path(folder))) return attempts;
+  try {
+    const Store store = Store::open(folder, OpenMode::kReadOnly);
+    for (const CampaignCase& one : cases)
+      attempts[one.definition.id] = store.past_attempts(one.definition.id);
+  } catch (const SqliteError& error) {
+    if (is_of_newer_format(error)) throw;  // an older store must not take its place
+    std::cerr << "Nothing can be read from the old store: " << printable_lines(error.what()) << "\n";
+  }
+  return attempts;
+}
+
+/// Out of the way, never removed: with the files that SQLite may keep beside it.
 void set_old_store_aside(const std::filesystem::path& store) {
-  if (!std::filesystem::exists(store)) return;
   std::string time = utc_now();
   std::ranges::replace(time, ':', '-');
   const std::filesystem::path old = store.string() + "." + time;
-  for (const std::string suffix : {"", "-wal", "-shm"}) {
+  bool any = false;
+  for (const std::string suffix : kSuffixes) {
     const std::filesystem::path file = store.string() + suffix;
-    if (std::filesystem::exists(file)) std::filesystem::rename(file, old.string() + suffix);
+    if (!std::filesystem::exists(std::filesystem::symlink_status(file))) continue;
+    std::filesystem::rename(file, old.string() + suffix);
+    any = true;
   }
-  std::cerr << "The old store is now " << old.string() << "\n";
+  if (any) std::cerr << "The old store is now " << printable(old.string()) << "\n";
+}
+
+/// A folder beside the old store for the new one, until it is complete: a full disk must not leave none.
+class Workshop {
+ public:
+  explicit Workshop(const std::filesystem::path& folder)
+      : place_(folder / (".softwall-rebuild-" + std::to_string(getpid()))) {
+    std::filesystem::remove_all(place_);
+    std::filesystem::create_directory(place_);
+  }
+  ~Workshop() {
+    std::error_code ignored;
+    std::filesystem::remove_all(place_, ignored);
+  }
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+  [[nodiscard]] const std::filesystem::path& place() const { return place_; }
+
+ private:
+  std::filesystem::path place_;
+};
+
+struct Count {
+  int results = 0, without = 0;
+};
+
+Count fill(Store& store, const LoadedCampaign& loaded, const std::vector<CampaignCase>& left_over) {
+  const auto launcher = make_launcher(loaded.campaign.execution.launcher);
+  const auto past = [&] {
+    std::vector<CampaignCase> all = loaded.campaign.cases;
+    all.insert(all.end(), left_over.begin(), left_over.end());
+    return std::pair(all, attempts_in_old_store(loaded.folder, all));
+  }();
+  store.record_campaign(loaded.campaign);
+  store.record_left_over(left_over);
+  Count count;
+  for (const CampaignCase& one : past.first) {
+    const RunFiles run = run_files(loaded.folder, one);
+    const auto known = past.second.find(one.definition.id);
+    if (known != past.second.end()) {
+      for (const PastAttempt& each : known->second)
+        store.restore_attempt(one.definition.id, each.attempt, each.start, each.end);
+    }
+    import_history(store, one, run, *launcher);
+    if (observe(one, run, *launcher).state != CaseState::kFinished) continue;
+    try {
+      count.results += import_result(store, one, run) ? 1 : 0;
+    } catch (const SqliteError&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      ++count.without;
+      std::cerr << one.definition.label << ": no result: " << printable_lines(error.what()) << "\n";
+    }
+  }
+  return count;
 }
 
 }  // namespace
@@ -31,28 +116,22 @@ ExitStatus rebuild_store(const std::filesystem::path& path) {
   const LoadedCampaign loaded = load_campaign(path);
   require_writable(loaded.folder);
   const CampaignLock lock(loaded.folder);
-  set_old_store_aside(Store::path_in(loaded.folder));
-  Store store = Store::open(loaded.folder, OpenMode::kCreate);
-  store.record_campaign(loaded.campaign);
-  int results = 0;
-  int without = 0;
-  for (const CampaignCase& one : loaded.campaign.cases) {
-    const RunFiles run = run_files(loaded.folder, one);
-    import_history(store, one, run);
-    if (observe(one, run).state != CaseState::kFinished) continue;
-    try {
-      results += import_result(store, one, run) ? 1 : 0;
-    } catch (const SqliteError&) {
-      throw;
-    } catch (const std::runtime_error& error) {
-      ++without;
-      std::cerr << one.definition.label << ": no result: " << error.what() << "\n";
-    }
+  const auto left_over = left_over_cases(loaded.campaign, loaded.folder);
+  const Workshop workshop(loaded.folder);
+  Count count;
+  {
+    Store store = Store::open(workshop.place(), OpenMode::kCreate);
+    count = fill(store, loaded, left_over);
+    store.connection().execute("PRAGMA wal_checkpoint(TRUNCATE)");
   }
-  std::cerr << "Made " << Store::path_in(loaded.folder).string()
-            << " from the run directories: " << loaded.campaign.cases.size() << " cases, " << results
-            << " results.\n";
-  return without == 0 ? ExitStatus::kDone : ExitStatus::kFailedCases;
+  set_old_store_aside(store_path(loaded.folder));
+  publish_file(store_path(workshop.place()), store_path(loaded.folder));
+  std::cerr << "Made " << printable(store_path(loaded.folder).string())
+            << " from the run directories: " << loaded.campaign.cases.size() << " cases, " << count.results
+            << " results"
+            << (left_over.empty() ? "" : ", " + std::to_string(left_over.size()) + " left-over cases")
+            << ".\n";
+  return count.without == 0 ? ExitStatus::kDone : ExitStatus::kFailedCases;
 }
 
 }  // namespace softwall::campaign

@@ -1,13 +1,17 @@
 #include <iostream>
 
-#include "campaign/campaign_lock.hpp"
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/preflight.hpp"
-#include "campaign/process_launcher.hpp"
-#include "campaign/progress.hpp"
-#include "campaign/query.hpp"
-#include "campaign/runner.hpp"
+#include "campaign/launch/make_launcher.hpp"
+#include "campaign/observe/left_over.hpp"
+#include "campaign/runner/campaign_lock.hpp"
+#include "campaign/runner/progress.hpp"
+#include "campaign/runner/runner.hpp"
+#include "campaign/store/query.hpp"
+#include "campaign/store/text_width.hpp"
+#include "campaign/system/shell_words.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -26,25 +30,29 @@ void print_results(const std::filesystem::path& folder) {
 }
 
 /// What is done, what is not and why, and what to do next.
-void print_report(const RunnerReport& report, const std::filesystem::path& folder, const std::string& name) {
-  const auto explain = [](const std::vector<RunnerReport::Trouble>& troubles) {
-    for (const auto& trouble : troubles) std::cerr << "  " << trouble.label << ": " << trouble.reason << "\n";
+void print_report(const RunnerReport& report, const LoadedCampaign& loaded) {
+  const auto& folder = loaded.folder;
+  const auto explain = [&](const std::vector<RunnerReport::Trouble>& troubles) {
+    for (const auto& trouble : troubles) {
+      std::cerr << "  " << trouble.label << ": " << printable(trouble.reason) << "\n";
+      const auto log = RunFiles{folder / trouble.directory}.log();
+      if (std::filesystem::exists(log)) std::cerr << "    its log: " << printable(log.string()) << "\n";
+    }
   };
   std::cerr << "\n"
-            << name << ": " << report.finished << " of " << count(report.cases, "case") << " finished.\n";
+            << printable(loaded.campaign.name) << ": " << report.finished << " of "
+            << count(report.cases, "case") << " finished.\n";
   if (!report.failed.empty()) {
     std::cerr << count(report.failed.size(), "case") << " failed:\n";
     explain(report.failed);
-    std::cerr << "The log of a case is solver.log in its folder below " << (folder / "cases").string()
-              << ".\n";
   }
   if (!report.unfinished.empty()) {
     std::cerr << count(report.unfinished.size(), "case") << " not finished:\n";
     explain(report.unfinished);
-    std::cerr << "To go on:  softwall resume " << folder.string() << "\n";
+    std::cerr << "To go on:  " << softwall_command("resume", loaded.named) << "\n";
   }
-  std::cerr << "Results store: " << Store::path_in(folder).string() << "\n";
-  if (report.finished > 0) std::cerr << "The paper's tables:  softwall table " << folder.string() << "\n";
+  std::cerr << "Results store: " << printable(store_path(folder).string()) << "\n";
+  if (report.finished > 0) std::cerr << "The paper's tables:  " << softwall_command("table", folder) << "\n";
 }
 
 ExitStatus status_of(const RunnerReport& report) {
@@ -58,9 +66,9 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   const LoadedCampaign loaded = load_campaign(path);
   require_writable(loaded.folder);
   const CampaignLock lock(loaded.folder);
-  const auto programs = find_programs();
-  require_precisions(loaded.campaign, programs.solver);
-  require_disk_space(loaded.campaign, loaded.folder);
+  const auto launcher = make_launcher(loaded.campaign.execution.launcher);
+  const Preflight ready = preflight(loaded, observe_for_run(loaded, *launcher), *launcher);
+  require_nothing_in_the_way(ready, loaded.folder);
 
   RunnerReport report;
   Signals
@@ -68,16 +76,23 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   {
     Progress progress(loaded.folder / "manager.log");
     Store store = Store::open(loaded.folder, OpenMode::kCreate);
-    ProcessLauncher launcher(programs);
     progress.event(loaded.campaign.name + ": " + count(loaded.campaign.cases.size(), "case") + " in " +
                    loaded.folder.string());
+    if (const auto left = left_over_cases(loaded.campaign, loaded.folder); !left.empty()) {
+      progress.event(count(left.size(), "case") + " of earlier versions of the campaign file left out; " +
+                     softwall_command("clean", loaded.named) + " lists them");
+    }
     RunnerOptions runner_options;
     runner_options.stall_seconds = options.stall_minutes * 60;
     report =
-        Runner(loaded.campaign, loaded.folder, {launcher, store, progress, signals}, runner_options).run();
+        Runner(loaded.campaign, loaded.folder, {*launcher, store, progress, signals}, runner_options).run();
   }
-  if (report.finished > 0) print_results(loaded.folder);
-  print_report(report, loaded.folder, loaded.campaign.name);
+  try {
+    if (report.finished > 0) print_results(loaded.folder);
+  } catch (const SqliteError& error) {
+    std::cerr << "softwall: " << printable_lines(error.what()) << "\n";  // the report says how the run ended
+  }
+  print_report(report, loaded);
   return status_of(report);
 }
 

@@ -7,17 +7,21 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/campaign_lock.hpp"
-#include "campaign/clock.hpp"
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
-#include "campaign/eta.hpp"
-#include "campaign/import_results.hpp"
-#include "campaign/observe.hpp"
-#include "campaign/result_table.hpp"
-#include "campaign/run_reports.hpp"
-#include "campaign/store.hpp"
-#include "campaign/wording.hpp"
+#include "campaign/core/eta.hpp"
+#include "campaign/core/words.hpp"
+#include "campaign/launch/make_launcher.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/observe/run_reports.hpp"
+#include "campaign/runner/campaign_lock.hpp"
+#include "campaign/runner/wording.hpp"
+#include "campaign/store/import_results.hpp"
+#include "campaign/store/result_table.hpp"
+#include "campaign/store/store.hpp"
+#include "campaign/system/clock.hpp"
+#include "campaign/system/shell_words.hpp"
+#include "solver/case/time_comparison.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -32,11 +36,7 @@ struct Snapshot {
 Snapshot look(const LoadedCampaign& loaded) {
   Snapshot now;
   now.owner = living_owner(loaded.folder);
-  now.observations = observe_all(loaded.campaign, loaded.folder);
-  if (std::filesystem::exists(Store::path_in(loaded.folder))) {
-    const Store store = Store::open(loaded.folder, OpenMode::kReadOnly);
-    for (Observation& seen : now.observations) seen = with_history(seen, store);
-  }
+  now.observations = observe_with_history(loaded, *make_launcher(loaded.campaign.execution.launcher));
   for (std::size_t i = 0; i < now.observations.size(); ++i) {
     if (!now.observations[i].running) continue;
     const CampaignCase& one = loaded.campaign.cases[i];
@@ -44,29 +44,9 @@ Snapshot look(const LoadedCampaign& loaded) {
       now.working[one.definition.id] = *status;
     }
   }
-  const Execution& execution = loaded.campaign.execution;
-  const int cores =
-      execution.cores > 0 ? execution.cores : static_cast<int>(std::thread::hardware_concurrency());
-  now.seconds_left = remaining_seconds(loaded.campaign, now.observations, now.working, cores);
+  now.seconds_left =
+      remaining_seconds(loaded.campaign, now.observations, now.working, loaded.campaign.execution.cores);
   return now;
-}
-
-std::string word_for(CaseState state) {
-  switch (state) {
-    case CaseState::kNew:
-      return "new";
-    case CaseState::kRunning:
-      return "running";
-    case CaseState::kFinished:
-      return "finished";
-    case CaseState::kInterrupted:
-      return "interrupted";
-    case CaseState::kDiverged:
-      return "diverged";
-    case CaseState::kFailed:
-      return "failed";
-  }
-  return "?";
 }
 
 /// Time and step that a case has reached, by its checkpoints or, while it works, by its own report.
@@ -85,7 +65,7 @@ void print_json(const LoadedCampaign& loaded, const Snapshot& now) {
     cases.push_back({{"label", one.definition.label},
                      {"case_id", one.definition.id},
                      {"directory", one.directory},
-                     {"state", word_for(seen.state)},
+                     {"state", std::string(word_of(seen.state))},
                      {"reason", seen.reason},
                      {"time", time},
                      {"end_time", seen.end_time},
@@ -106,10 +86,10 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now) {
   for (std::size_t i = 0; i < now.observations.size(); ++i) {
     const Observation& seen = now.observations[i];
     const auto [time, step] = reached(now, seen);
-    table.rows.push_back({loaded.campaign.cases[i].definition.label, word_for(seen.state), short_number(time),
-                          short_number(seen.end_time), static_cast<std::int64_t>(100 * time / seen.end_time),
-                          step, std::int64_t{seen.attempts},
-                          seen.state == CaseState::kFinished ? std::string() : seen.reason});
+    table.rows.push_back(
+        {loaded.campaign.cases[i].definition.label, std::string(word_of(seen.state)), short_number(time),
+         short_number(seen.end_time), static_cast<std::int64_t>(percent_done(time, seen.end_time)), step,
+         std::int64_t{seen.attempts}, seen.state == CaseState::kFinished ? std::string() : seen.reason});
   }
   write_table(std::cout, table, TableFormat::kText);
   std::cout << "\n"
@@ -117,7 +97,7 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now) {
   if (now.owner) {
     std::cout << "Run by " << *now.owner << "." << std::endl;
   } else if (now.seconds_left > 0) {
-    std::cout << "Nobody runs it now. To go on:  softwall resume " << loaded.folder.string() << std::endl;
+    std::cout << "Nobody runs it now. To go on:  " << softwall_command("resume", loaded.named) << std::endl;
   }
 }
 

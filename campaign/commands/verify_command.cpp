@@ -1,13 +1,18 @@
+#include <array>
 #include <iostream>
 
-#include "analysis/statistics_file.hpp"
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
-#include "campaign/observe.hpp"
-#include "campaign/run_reports.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/observe/run_reports.hpp"
+#include "schemas/embedded.hpp"
 #include "solver/case/bad_input.hpp"
-#include "solver/case/checkpoint_header.hpp"
+#include "solver/case/input_file.hpp"
+#include "solver/case/json_schema.hpp"
+#include "solver/case/json_text.hpp"
 #include "solver/case/spelling.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
+#include "solver/run_directory/statistics_file.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -35,6 +40,19 @@ std::string trouble_with_statistics(const RunFiles& run, const std::string& case
   }
 }
 
+/// The first mistake of a JSON file against its schema; empty when there is none, or no such file.
+std::string trouble_with_json(const std::filesystem::path& file, std::string_view schema) {
+  if (!std::filesystem::exists(file)) return "";
+  try {
+    const auto mistakes = JsonSchema(schema).mistakes(parse_json(read_input_file(file), file.string()));
+    if (mistakes.empty()) return "";
+    const Mistake& first = mistakes.front();
+    return first.where + ": " + first.given + "; " + first.allowed;
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+}
+
 void verify_case(const CampaignCase& one, const RunFiles& run, Findings& findings) {
   const std::string& id = one.definition.id;
   const auto name_of = [&](const std::filesystem::path& file) {
@@ -45,10 +63,18 @@ void verify_case(const CampaignCase& one, const RunFiles& run, Findings& finding
     findings.add(name_of(file), verdict.valid ? "" : verdict.reason);
   }
   if (std::filesystem::exists(run.summary())) {
-    findings.add(name_of(run.summary()),
-                 read_summary(run, id) ? "" : "cannot be read, or is not of case " + id);
+    findings.add(name_of(run.summary()), read_summary(run, id)
+                                             ? trouble_with_json(run.summary(), schemas::kSummarySchema)
+                                             : "cannot be read, or is not of case " + id);
   }
-  const Observation seen = observe(one, run);
+  const std::array<std::pair<std::filesystem::path, std::string_view>, 3> others = {
+      {{run.case_file(), schemas::kCaseSchema},
+       {run.run_record(), schemas::kRunSchema},
+       {run.status(), schemas::kStatusSchema}}};
+  for (const auto& [file, schema] : others) {
+    if (std::filesystem::exists(file)) findings.add(name_of(file), trouble_with_json(file, schema));
+  }
+  const Observation seen = observe_files(one, run);
   if (seen.state != CaseState::kFinished) return;
   findings.add(name_of(run.checkpoints()),
                seen.newest_checkpoint ? "" : "a finished case without a checkpoint");

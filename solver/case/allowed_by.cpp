@@ -2,6 +2,7 @@
 #include <string>
 
 #include "solver/case/json_schema.hpp"
+#include "solver/case/json_text.hpp"
 
 namespace softwall {
 namespace {
@@ -15,13 +16,18 @@ std::string with_article(const std::string& type) {
   return "a " + type;
 }
 
+/// 1e9 as 1000000000, not as 1000000000.0.
+std::string number_text(const json& number) { return normalised_number(number.get<double>()).dump(); }
+
 std::string bounds(const json& node) {
   const bool low = node.contains("minimum"), high = node.contains("maximum");
-  if (low && high) return " from " + node.at("minimum").dump() + " to " + node.at("maximum").dump();
+  if (low && high)
+    return " from " + number_text(node.at("minimum")) + " to " + number_text(node.at("maximum"));
   std::string text;
-  if (low) text += " of at least " + node.at("minimum").dump();
-  if (node.contains("exclusiveMinimum")) text += " greater than " + node.at("exclusiveMinimum").dump();
-  if (high) text += std::string(text.empty() ? "" : " and") + " of at most " + node.at("maximum").dump();
+  if (low) text += " of at least " + number_text(node.at("minimum"));
+  if (node.contains("exclusiveMinimum")) text += " greater than " + number_text(node.at("exclusiveMinimum"));
+  if (high)
+    text += std::string(text.empty() ? "" : " and") + " of at most " + number_text(node.at("maximum"));
   return text;
 }
 

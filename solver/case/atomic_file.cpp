@@ -52,6 +52,29 @@ void write_all(int descriptor, std::string_view contents, const std::filesystem:
   }
 }
 
+/// Puts complete, synced contents under the temporary name.
+void fill(const TemporaryFile& temporary, std::string_view contents, bool synced) {
+  const auto& name = temporary.path();
+  // A leftover of a killed process that had the same id is ours to overwrite: no one else uses this name.
+  FileDescriptor descriptor(
+      ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666));
+  if (!descriptor) fail("create", name);
+  write_all(descriptor.get(), contents, name);
+  if (synced && ::fsync(descriptor.get()) != 0) fail("sync", name);
+  if (!descriptor.close()) fail("close", name);
+}
+
+/// Gives the file a second name; false when that is taken. link(2), unlike rename(2), fails then.
+bool link_as_new(const std::filesystem::path& source, const std::filesystem::path& file) {
+  if (::link(source.c_str(), file.c_str()) == 0) return true;
+  if (errno == EEXIST) return false;
+  if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) fail("create", file);
+  // A file system without hard links: nearly as good, since one manager owns a campaign.
+  if (std::filesystem::exists(file)) return false;
+  if (::rename(source.c_str(), file.c_str()) != 0) fail("create", file);
+  return true;
+}
+
 }  // namespace
 
 void sync_directory(const std::filesystem::path& directory) {
@@ -63,17 +86,18 @@ void sync_directory(const std::filesystem::path& directory) {
 void write_atomically(const std::filesystem::path& file, std::string_view contents, Durability durability) {
   const bool synced = durability == Durability::kSynced;
   TemporaryFile temporary(file);
-  const auto& name = temporary.path();
-  // A leftover of a killed process that had the same id is ours to overwrite: no one else uses this name.
-  FileDescriptor descriptor(
-      ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666));
-  if (!descriptor) fail("create", name);
-  write_all(descriptor.get(), contents, name);
-  if (synced && ::fsync(descriptor.get()) != 0) fail("sync", name);
-  if (!descriptor.close()) fail("close", name);
-  if (::rename(name.c_str(), file.c_str()) != 0) fail("replace", file);
+  fill(temporary, contents, synced);
+  if (::rename(temporary.path().c_str(), file.c_str()) != 0) fail("replace", file);
   temporary.release();
   if (synced) sync_directory(folder_of(file));
+}
+
+bool write_new_atomically(const std::filesystem::path& file, std::string_view contents) {
+  const TemporaryFile temporary(file);
+  fill(temporary, contents, true);
+  if (!link_as_new(temporary.path(), file)) return false;
+  sync_directory(folder_of(file));
+  return true;
 }
 
 void begin_write_out(int descriptor) {

@@ -19,8 +19,8 @@ enum class FlowType { kRigidChannel, kElasticWall, kCavity, kRotation, kInterfac
   return flow == FlowType::kCavity || flow == FlowType::kRotation;
 }
 
-/// Driven by a pressure gradient that holds its flow rate; what its statistics describe is a turbulent
-/// channel.
+/// A channel that a pressure gradient drives at constant flow rate, and whose statistics are those of a
+/// turbulent one.
 [[nodiscard]] constexpr bool is_driven_channel(FlowType flow) {
   return flow == FlowType::kRigidChannel || flow == FlowType::kElasticWall;
 }
@@ -28,11 +28,12 @@ enum class FlowType { kRigidChannel, kElasticWall, kCavity, kRotation, kInterfac
 enum class InitialType { kPerturbedLaminar, kPrecursor };
 enum class SolidFormulation { kTransportedB, kReferenceMap };
 enum class WenoWeights { kJiangShu, kZ };
-enum class InterfaceTransport { kWeno, kMthinc };
+enum class InterfaceTransport { kWeno, kMthinc, kHeight };
 enum class Precision { kDouble, kSingle };
 enum class Extension { kColumn, kNormal };
 enum class ViscousTerms { kExplicit, kImplicit };
 enum class Stiffness { kExplicit, kImplicit };
+enum class MeanFlow { kNone, kLaminar };
 
 struct GridSpec {
   int nx = 0;
@@ -66,6 +67,7 @@ struct SolidSpec {
 struct WaveSpec {
   double decay = 0.0, frequency = 0.0;  ///< its rate is -decay + i frequency, U_b / h
   double displacement = 0.0;            ///< of the crest of the interface, h
+  MeanFlow mean_flow = MeanFlow::kNone;
 };
 
 struct TimeStepSpec {
@@ -101,6 +103,11 @@ struct Physics {
   TimeStepSpec time_step;
   InitialSpec initial;
   StatisticsSpec statistics;
+
+  /// Whether a pressure gradient holds its flow rate.
+  [[nodiscard]] bool is_driven() const {
+    return is_driven_channel(flow) || (wave && wave->mean_flow == MeanFlow::kLaminar);
+  }
 };
 
 /// How far and how to run it; may change between attempts without changing any number computed.

@@ -84,7 +84,13 @@ void check_layer(const SoundMembers& members, const json& filled, std::vector<Mi
   if (members.get<std::string>("/physics/solid/interface") == "mthinc" &&
       members.get<std::string>("/physics/solid/formulation") == "reference_map")
     mistakes.push_back({"/physics/solid/interface", "mthinc",
-                        "carries a phi that \"reference_map\" does not have: must be \"weno\" with it"});
+                        "carries a phi that \"reference_map\" does not have: leave it out"});
+  if (members.get<std::string>("/physics/solid/interface") == "height" &&
+      members.get<std::string>("/physics/solid/formulation") == "transported_B" &&
+      members.get<std::string>("/physics/solid/extension") == "normal")
+    mistakes.push_back(
+        {"/physics/solid/interface", "height",
+         "a height over each column: must be \"mthinc\" or \"weno\" with extension \"normal\""});
   check_layer_cells(members, mistakes);
 }
 
@@ -159,6 +165,8 @@ void check_disc(const SoundMembers& members, std::vector<Mistake>& mistakes) {
   }
   if (members.get<std::string>("/physics/solid/extension") == "column")
     mistakes.push_back({"/physics/solid/extension", "column", "must be \"normal\" with a disc"});
+  if (members.get<std::string>("/physics/solid/interface") == "height")
+    mistakes.push_back({"/physics/solid/interface", "height", "must be \"mthinc\" or \"weno\" with a disc"});
   if (members.get<std::string>("/physics/solid/formulation") == "reference_map")
     mistakes.push_back({"/physics/solid/formulation", "reference_map",
                         "needs a layer: must be \"transported_B\" with a disc"});

@@ -4,11 +4,10 @@
 
 #include <array>
 #include <charconv>
-#include <cinttypes>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "solver/case/case_schema.hpp"
+#include "solver/case/hexadecimal.hpp"
 #include "solver/case/json_text.hpp"
 
 namespace softwall {
@@ -64,12 +63,13 @@ std::string case_id(const json& physics) {
   }
   json whole = {{"physics", std::move(identity)}};
   case_schema().fill_defaults(whole);
+  json& filled = whole.at("physics");
+  if (filled.contains("solid") && filled["solid"].value("formulation", "") == "reference_map")
+    filled["solid"].erase("interface");
   case_schema().drop_defaults(whole);
   const std::string text = canonical_text(whole.at("physics"));
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
-  std::array<char, 17> digits{};
-  std::snprintf(digits.data(), digits.size(), "%016" PRIx64, static_cast<std::uint64_t>(hash.high64));
-  return digits.data();
+  return hexadecimal(hash.high64);
 }
 
 }  // namespace softwall

@@ -28,7 +28,9 @@ constexpr std::pair<SolidFormulation, const char*> kFormulationNames[] = {
 constexpr std::pair<WenoWeights, const char*> kWenoNames[] = {{WenoWeights::kJiangShu, "js"},
                                                               {WenoWeights::kZ, "z"}};
 constexpr std::pair<InterfaceTransport, const char*> kInterfaceNames[] = {
-    {InterfaceTransport::kWeno, "weno"}, {InterfaceTransport::kMthinc, "mthinc"}};
+    {InterfaceTransport::kWeno, "weno"},
+    {InterfaceTransport::kMthinc, "mthinc"},
+    {InterfaceTransport::kHeight, "height"}};
 constexpr std::pair<Extension, const char*> kExtensionNames[] = {{Extension::kColumn, "column"},
                                                                  {Extension::kNormal, "normal"}};
 constexpr std::pair<ViscousTerms, const char*> kViscousNames[] = {{ViscousTerms::kExplicit, "explicit"},
@@ -36,6 +38,9 @@ constexpr std::pair<ViscousTerms, const char*> kViscousNames[] = {{ViscousTerms:
 
 constexpr std::pair<Stiffness, const char*> kStiffnessNames[] = {{Stiffness::kExplicit, "explicit"},
                                                                  {Stiffness::kImplicit, "implicit"}};
+
+constexpr std::pair<MeanFlow, const char*> kMeanFlowNames[] = {{MeanFlow::kNone, "none"},
+                                                               {MeanFlow::kLaminar, "laminar"}};
 
 constexpr std::pair<Precision, const char*> kPrecisionNames[] = {{Precision::kDouble, "double"},
                                                                  {Precision::kSingle, "single"}};
@@ -77,7 +82,8 @@ SolidSpec solid_from(const json& solid) {
 }
 
 WaveSpec wave_from(const json& wave) {
-  return {wave.at("decay"), wave.at("frequency"), wave.at("displacement")};
+  return {wave.at("decay"), wave.at("frequency"), wave.at("displacement"),
+          named(wave.at("mean_flow"), kMeanFlowNames)};
 }
 
 TimeStepSpec time_step_from(const json& time_step) {
@@ -158,7 +164,10 @@ json to_json(const SolidSpec& solid) {
 }
 
 json to_json(const WaveSpec& wave) {
-  return {{"decay", wave.decay}, {"frequency", wave.frequency}, {"displacement", wave.displacement}};
+  return {{"decay", wave.decay},
+          {"frequency", wave.frequency},
+          {"displacement", wave.displacement},
+          {"mean_flow", name_of(wave.mean_flow, kMeanFlowNames)}};
 }
 
 json to_json(const TimeStepSpec& time_step) {

@@ -34,8 +34,6 @@ class JsonSchema {
   /// none.
   [[nodiscard]] const nlohmann::json* part(const nlohmann::json::json_pointer& pointer) const;
 
-  [[nodiscard]] const nlohmann::json& document() const { return schema_; }
-
  private:
   struct Compiled;  ///< valijson's form; its headers stay out of ours
   nlohmann::json schema_;

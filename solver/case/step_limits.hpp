@@ -50,12 +50,14 @@ inline constexpr double kSpareStiffness = 0.25;
 /// The same of what is explicit when the stress between rows is not. A wave of frequency w_y through y, w_a
 /// along the rows and 2 w_y q of B_xy and B_yz is stable while
 ///   w_a^2 + 2 w_y q + w_y^2 < 4 / dt^2 + (1 + s) w_y^2,   s = kSpareStiffness,
-/// for every w_y, if w_a^2 + q^2 / s < 4 / dt^2.
+/// for every w_y, if w_a^2 + q^2 / s < 4 / dt^2. Of a positive definite B, q^2 is at most twice w_a^2; that
+/// of a torn map (solid/reference_map/mending.hpp) may be anything and must not stop the run.
 template <class Real>
 [[nodiscard]] inline Real stiffness_along_rows(const Deformation<Real>& B, const InverseSpacings<Real>& inv) {
-  const Real oblique = std::abs(B.xy) * inv.dx + std::abs(B.yz) * inv.dz;
-  return B.xx * inv.dx * inv.dx + B.zz * inv.dz * inv.dz + 2 * std::abs(B.xz) * inv.dx * inv.dz +
-         oblique * oblique / (Real(kSpareStiffness) * B.yy);
+  const Real oblique = std::abs(B.xy) * inv.dx + std::abs(B.yz) * inv.dz,
+             along = B.xx * inv.dx * inv.dx + B.zz * inv.dz * inv.dz, most = 2 * B.yy * along;
+  const Real square = oblique * oblique < most ? oblique * oblique : most;
+  return along + 2 * std::abs(B.xz) * inv.dx * inv.dz + square / (Real(kSpareStiffness) * B.yy);
 }
 
 /// stiffest: the largest stiffness of a cell, of the kind that the integration leaves explicit. Explicit

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "solver/case/exit_codes.hpp"
 #include "solver/parallel/mpi.hpp"
+#include "solver/run_directory/exit_codes.hpp"
 
 /// Errors that all ranks know of. An error on one rank alone, thrown past a collective call, leaves the
 /// others waiting for ever; so whatever one rank does on its own is followed by an agreement.

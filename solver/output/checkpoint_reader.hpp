@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/hdf5_image.hpp"
-#include "solver/case/checkpoint_header.hpp"
 #include "solver/output/checkpoint_contents.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
+#include "solver/run_directory/hdf5_image.hpp"
 #include "solver/time/setup.hpp"
 #include "solver/time/state.hpp"
 

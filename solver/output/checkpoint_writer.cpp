@@ -3,10 +3,10 @@
 #include <array>
 
 #include "solver/case/atomic_file.hpp"
-#include "solver/case/build_info.hpp"
 #include "solver/output/agree.hpp"
 #include "solver/output/parallel_file.hpp"
 #include "solver/output/watchdog.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 // Contents of the file: /time, /step, /driving_gradient; /grid/y_face; /fields/<name>, one [nz][rows][nx]
 // array for each of fields_of(); /statistics/accumulators; /diagnostics/*. No filters, no time stamps: the

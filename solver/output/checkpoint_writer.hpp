@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "solver/case/checkpoint_header.hpp"
-#include "solver/case/run_files.hpp"
 #include "solver/output/checkpoint_contents.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
+#include "solver/run_directory/run_files.hpp"
 #include "solver/time/setup.hpp"
 #include "solver/time/state.hpp"
 

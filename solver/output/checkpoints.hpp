@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "solver/case/checkpoint_header.hpp"
-#include "solver/case/run_files.hpp"
 #include "solver/parallel/mpi.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 namespace softwall::output {
 

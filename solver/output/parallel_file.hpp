@@ -7,10 +7,10 @@
 #include <span>
 #include <string>
 
-#include "analysis/hdf5_image.hpp"
 #include "solver/case/file_descriptor.hpp"
 #include "solver/grid/field.hpp"
 #include "solver/parallel/mpi.hpp"
+#include "solver/run_directory/hdf5_image.hpp"
 
 namespace softwall::output {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/case/time_comparison.hpp"
 #include "solver/output/agree.hpp"
 #include "solver/output/checkpoint_reader.hpp"
 #include "solver/time/initial.hpp"
@@ -134,7 +135,7 @@ void check_precursor(const std::filesystem::path& path, const InitialSpec& initi
     throw AgreedError(ExitCode::kBadCase, path.string() + " belongs to case " + header.case_id +
                                               ", physics.initial.precursor is " + initial.precursor);
   }
-  if (header.time < initial.precursor_time) {
+  if (!has_reached(header.time, initial.precursor_time)) {
     throw AgreedError(ExitCode::kBadCase, path.string() + " is of time " + std::to_string(header.time) +
                                               ", this case starts where the precursor has reached " +
                                               std::to_string(initial.precursor_time));

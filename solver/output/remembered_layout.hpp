@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "solver/case/case.hpp"
-#include "solver/case/run_files.hpp"
 #include "solver/parallel/decomposition.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 /// How a case is shared among its ranks. Sums over ranks depend in their last bits on who holds what, so the
 /// answer must not change when a case is resumed: what was measured once is remembered in layout.json, a

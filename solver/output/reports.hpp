@@ -1,47 +1,19 @@
 #pragma once
 
-#include <cstdint>
-#include <map>
-#include <string>
+#include "solver/run_directory/run_files.hpp"
+#include "solver/run_directory/status.hpp"
+#include "solver/run_directory/summary.hpp"
 
-#include "solver/case/exit_codes.hpp"
-#include "solver/case/run_files.hpp"
-
-/// status.json and summary.json, as their schemas describe them; written by rank 0.
+/// status.json and summary.json, written by rank 0.
 namespace softwall::output {
 
-struct Status {
-  std::string case_id;
-  int attempt = 0, ranks = 0;
-  std::int64_t step = 0;
-  double time = 0, end_time = 0, dt = 0;
-  std::string dt_limit;
-  double seconds_per_step = 0;
-  std::int64_t checkpoint_step = -1;
-};
+/// Adds process, host and time of day. Throws std::system_error.
+void write_status(const RunFiles& run, Status status);
 
-struct Summary {
-  std::string case_id;
-  int attempt = 0, ranks = 0;
-  ExitCode exit_code = ExitCode::kFailed;
-  std::string reason;
-  std::int64_t step = 0;
-  double time = 0, end_time = 0;
-  std::int64_t attempt_steps = 0;
-  double wall_seconds = 0, ns_per_cell_step = 0;
-  std::string checkpoint, resumed_from;  ///< relative to the run directory
-  std::string started;                   ///< ISO 8601, UTC
-  std::map<std::string, double> diagnostics;
-};
-
-/// Throws std::system_error.
-void write_status(const RunFiles& run, const Status& status);
-void write_summary(const RunFiles& run, const Summary& summary);
+/// Adds the outcome, the program, host and end of the attempt. Throws std::system_error.
+void write_summary(const RunFiles& run, ExitCode code, Summary summary);
 
 /// Whether summary.json says that this case has finished; false when it cannot be read.
 [[nodiscard]] bool says_finished(const RunFiles& run, const std::string& case_id);
-
-/// "finished", "interrupted", "diverged" or "failed".
-[[nodiscard]] std::string outcome_of(ExitCode code);
 
 }  // namespace softwall::output

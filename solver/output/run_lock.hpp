@@ -1,8 +1,8 @@
 #pragma once
 
 #include "solver/case/file_descriptor.hpp"
-#include "solver/case/run_files.hpp"
 #include "solver/parallel/mpi.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 namespace softwall::output {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/run_files.hpp"
 #include "solver/time/setup.hpp"
 #include "solver/time/state.hpp"
 

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <string_view>
 
-#include "solver/case/exit_codes.hpp"
+#include "solver/run_directory/exit_codes.hpp"
 
 namespace softwall::output {
 

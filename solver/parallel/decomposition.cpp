@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "solver/case/rank_sharing.hpp"
+
 namespace softwall::parallel {
 
 Range share(int n, int parts, int index) {
@@ -18,13 +20,11 @@ std::vector<Range> shares(int n, int parts) {
 }
 
 std::vector<Layout> possible_layouts(int ranks, int nx, int nz) {
-  const auto wide_enough = [](int n, int parts) {
-    return parts == 1 || n / parts >= Decomposition::kMinimumWidth;
-  };
+  static_assert(Decomposition::kMinimumWidth == kNarrowestPart);
   std::vector<Layout> possible;
   for (int px = 1; px <= ranks; ++px) {
     const int pz = ranks / px;
-    if (px * pz == ranks && wide_enough(nx, px) && wide_enough(nz, pz)) possible.push_back({px, pz});
+    if (px * pz == ranks && can_be_shared(nx, px) && can_be_shared(nz, pz)) possible.push_back({px, pz});
   }
   return possible;
 }
@@ -35,9 +35,7 @@ Decomposition::Decomposition(MPI_Comm comm, int nx, int nz, std::optional<Layout
   const auto possible = possible_layouts(ranks, nx, nz);
   const std::string grid = "a grid of " + std::to_string(nx) + " x " + std::to_string(nz) + " columns";
   if (possible.empty()) {
-    throw std::invalid_argument(grid + " cannot be shared among " + std::to_string(ranks) +
-                                " ranks: each needs at least " + std::to_string(kMinimumWidth) +
-                                " columns in every direction that is shared");
+    throw std::invalid_argument(sharing_problem(ranks, nx, nz));
   }
   layout_ = layout.value_or(possible.front());
   if (std::find(possible.begin(), possible.end(), layout_) == possible.end()) {

@@ -53,8 +53,9 @@ void ElasticForce::find(const Material& m, int first_row, int k) {
   const StressOfSolid solid{
       m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(), m.B.yz.view(), G_};
   const int above = std::max(first_row, m.solid_edges_from(grid_.ny));
-  divergence_.find(Stress{solid, {m.phi.view(), grid_.upper_share.data()}, share_.view()}, first_row, above,
-                   k, now_);
+  divergence_.find(
+      Stress{solid, {m.phi.view(), grid_.upper_share.data(), !share_.is_mean_by_volume()}, share_.view()},
+      first_row, above, k, now_);
   divergence_.find(solid, above, grid_.ny, k, now_);
 }
 

@@ -106,11 +106,13 @@ void keep_apart(const ExcessStress& stress, int first_row, const Grid& g, grid::
        [=](int i, int j, int k) { return (s.yz_across(i, j + 1, k) - s.yz_across(i, j, k)) * s.inv_dy[j]; });
 }
 
-Fraction fraction_of(const Material& m, const Grid& g) { return {m.phi.view(), g.upper_share.data()}; }
+Fraction fraction_of(const Material& m, const InterfaceShare& share, const Grid& g) {
+  return {m.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()};
+}
 
 ExcessStress stress_of(const Material& m, const grid::VectorField& velocity, const grid::Field& shear_xy,
                        const grid::Field& shear_yz, Real ratio, const InterfaceShare& share, const Grid& g) {
-  return {fraction_of(m, g),
+  return {fraction_of(m, share, g),
           velocity.x.view(),
           velocity.y.view(),
           velocity.z.view(),
@@ -141,7 +143,7 @@ ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const InterfaceS
 
 void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity, int first_row) {
   const auto& g = grid_;
-  const Fraction phi = fraction_of(m, g);
+  const Fraction phi = fraction_of(m, share_, g);
   const auto on_yz = [=](int i, int j, int k) { return phi.edge_yz(i, j, k); };
   // In a solid as viscous as the fluid nothing is lacking above the interface.
   end_row_ = ratio_ == 1 ? m.solid_edges_from(g.ny) : g.ny;
@@ -162,7 +164,7 @@ std::vector<double> ExcessViscosity::shear_stress_sums(const Material& m, const 
                                                        int first_row) const {
   const auto& g = grid_;
   grid::Field shear(g, 1);
-  find_shear_xy(fraction_of(m, g), velocity, solid_from_, g, first_row, g.ny, shear);
+  find_shear_xy(fraction_of(m, share_, g), velocity, solid_from_, g, first_row, g.ny, shear);
   const ExcessStress stress = stress_of(m, velocity, shear, shear, ratio_, share_, g);
   std::vector<double> sums(static_cast<std::size_t>(g.ny) + 1);
   for (int j = first_row; j <= g.ny; ++j) {

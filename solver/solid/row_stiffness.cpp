@@ -87,9 +87,10 @@ RowStiffness::RowStiffness(const SolidSpec& spec, const Formulation& formulation
 void RowStiffness::apply(const Material& m, const grid::VectorField& before, const ImplicitWeights& weights,
                          int first_row, grid::VectorField& velocity) {
   const Grid& g = grid_;
-  const Edges edges{{m.phi.view(), g.upper_share.data()},
+  const InterfaceShare& share = formulation_.interface_share();
+  const Edges edges{{m.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()},
                     m.B.yy.view(),
-                    formulation_.interface_share().view(),
+                    share.view(),
                     g.inv_dy.data(),
                     g.inv_dy_face.data(),
                     Real((1 + step_limits::kSpareStiffness) * G_ * weights.dt * weights.dt / 4),

@@ -16,7 +16,7 @@ namespace {
 std::unique_ptr<Formulation> formulation_of(const SolidSpec& spec, const Grid& grid,
                                             const parallel::Decomposition& decomposition, grid::Halo& halo) {
   if (spec.formulation == SolidFormulation::kReferenceMap) {
-    return std::make_unique<reference_map::ReferenceMap>(spec.weno, grid, halo);
+    return std::make_unique<reference_map::ReferenceMap>(spec.weno, grid, decomposition, halo);
   }
   return std::make_unique<TransportedB>(spec, grid, decomposition, halo);
 }

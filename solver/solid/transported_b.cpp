@@ -47,9 +47,10 @@ TransportedB::TransportedB(const SolidSpec& spec, const Grid& grid,
       advection_(grid, spec.weno),
       now_{grid::Field(grid, 0), grid::TensorField(grid, 1)},
       before_{grid::Field(grid, 0), grid::TensorField(grid, 1)},
-      share_(kMeanByVolume, grid),
+      share_(spec.interface == InterfaceTransport::kHeight ? kFluidAtFlatInterface : kMeanByVolume, grid),
       edges_(grid) {
   if (spec.interface == InterfaceTransport::kMthinc) fraction_.emplace(grid, halo);
+  if (spec.interface == InterfaceTransport::kHeight) height_.emplace(grid, halo, spec.weno);
   if (spec.extension == Extension::kNormal) normal_.emplace(grid, decomposition, halo);
 }
 
@@ -69,6 +70,7 @@ void TransportedB::transport(Material& material, const grid::VectorField& veloci
                              double dt, int first_row, const PlaneReady& ready) {
   find_rates(material, velocity, first_row);
   if (fraction_) fraction_->advance(material.phi, velocity, stage, dt, first_row);
+  if (height_) height_->advance(material.phi, velocity, stage, dt, first_row);
   update(material, stage, dt, first_row);
   make_consistent(material, first_row, ready);
 }
@@ -76,7 +78,7 @@ void TransportedB::transport(Material& material, const grid::VectorField& veloci
 void TransportedB::find_rates(const Material& m, const grid::VectorField& velocity, int first_row) {
   const Velocity base{velocity.x.view(), velocity.y.view(), velocity.z.view(), grid_.upper_share.data()};
   const int j0 = first_row, ny = grid_.ny;
-  if (!fraction_) advection_.rate_of(m.phi, CenterVelocity{base}, j0, now_.phi);
+  if (!fraction_ && !height_) advection_.rate_of(m.phi, CenterVelocity{base}, j0, now_.phi);
   advection_.rate_of(m.B.xx, CenterVelocity{base}, j0, now_.B.xx);
   advection_.rate_of(m.B.yy, CenterVelocity{base}, j0, now_.B.yy);
   advection_.rate_of(m.B.zz, CenterVelocity{base}, j0, now_.B.zz);
@@ -111,7 +113,7 @@ void TransportedB::update(Material& m, const Stage& stage, double dt, int first_
     });
   };
   const int ny = grid_.ny;
-  if (!fraction_) step(m.phi, now_.phi, before_.phi, ny);
+  if (!fraction_ && !height_) step(m.phi, now_.phi, before_.phi, ny);
   step(m.B.xx, now_.B.xx, before_.B.xx, ny);
   step(m.B.yy, now_.B.yy, before_.B.yy, ny);
   step(m.B.zz, now_.B.zz, before_.B.zz, ny);
@@ -138,12 +140,26 @@ void TransportedB::line(Material& m, int first_row) {
   const auto band = grid::rows(grid_, first_row, grid_.ny);
   fill_beyond_walls(m, first_row);
   halo_.fill({&m.phi}, span);
+  if (height_) follow_surface(m, first_row);
   extend_shear(m, Real(spec_.threshold), grid_, band);
   fill_beyond_walls(m, first_row);
   halo_.fill({&m.B.xy, &m.B.xz, &m.B.yz}, span);
   limited_cells_ += extend_normal(m, Real(spec_.threshold), spec_.min_eigenvalue, grid_, band);
   fill_beyond_walls(m, first_row);
   halo_.fill({&m.B.xx, &m.B.yy, &m.B.zz}, span);
+}
+
+/// What follows from the surface, where it is a height.
+void TransportedB::follow_surface(Material& m, int first_row) {
+  height_->follow(m.phi, first_row);
+  share_.follow([this](int i, int k) { return height_->surface().flatness(i, k); });
+  const auto phi = std::as_const(m.phi).view();
+  const auto all_solid = [&](int j) {
+    const grid::Box around{-1, grid_.nx + 1, j, j + 1, -1, grid_.nz + 1};
+    return grid::max_cells(around, 0.0, [=](int i, int row, int k) { return 1 - phi(i, row, k); }) == 0;
+  };
+  m.all_solid_from = first_row;
+  while (m.all_solid_from < grid_.ny && !all_solid(m.all_solid_from)) ++m.all_solid_from;
 }
 
 /// The same for a body of any shape: B is made positive definite in the solid before its surroundings take

@@ -7,10 +7,11 @@
 #include "solver/solid/advection.hpp"
 #include "solver/solid/formulation.hpp"
 #include "solver/solid/fraction_transport.hpp"
+#include "solver/solid/height_transport.hpp"
 #include "solver/solid/normal_extension.hpp"
 #include "solver/solid/solid_edges.hpp"
 
-/// The paper's formulation: phi and B are carried by the flow, equations (6)-(7):
+/// The paper's formulation: phi and B are carried by the flow, equations (6)-(7), phi as the case asks for:
 ///   phi^k = phi^{k-1} - dt [ beta div(u phi)^{k-1} + gamma div(u phi)^{k-2} ]
 ///   B^k   = B^{k-1} + dt [ beta (S - div(u B))^{k-1} + gamma (S - div(u B))^{k-2} ]
 namespace softwall::solid {
@@ -30,8 +31,8 @@ class TransportedB : public Formulation {
                  int first_row, const PlaneReady& ready) override;
   /// Where B is the solid's own, too. Around a body of any shape the local shear stands in for the solid's.
   [[nodiscard]] Real solid_from() const override { return normal_ ? Real(0) : Real(spec_.threshold); }
-  /// The fluid's alone made a layer of 32 x 32 + 8 x 32 cells flutter (MTHINC, G = 1: v' 0.19 at the
-  /// interface).
+  /// Under a height as with a reference map. The mean by volume where phi is smeared: there the fluid's alone
+  /// made a layer of 32 x 32 + 8 x 32 cells flutter (MTHINC, G = 1: v' 0.19 at the interface).
   [[nodiscard]] const InterfaceShare& interface_share() const override { return share_; }
   /// By the limiter (limiter.hpp), since the start of the program.
   [[nodiscard]] std::int64_t limited_cells() const override { return limited_cells_; }
@@ -45,13 +46,16 @@ class TransportedB : public Formulation {
   void update(Material& material, const Stage& stage, double dt, int first_row);
   void line(Material& material, int first_row);
   void surround(Material& material);
+  void follow_surface(Material& material, int first_row);
   void fill_beyond_walls(Material& material, int first_row) const;
 
   SolidSpec spec_;
   const Grid& grid_;
   grid::Halo& halo_;
   Advection advection_;
-  std::optional<FractionTransport> fraction_;  ///< moves phi, when the case asks for it; else advection_ does
+  // What moves phi, as the case asks for it; advection_ where it asks for neither.
+  std::optional<FractionTransport> fraction_;
+  std::optional<HeightTransport> height_;
   Rates now_, before_;
   InterfaceShare share_;
   SolidEdges edges_;

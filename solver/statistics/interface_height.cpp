@@ -12,6 +12,9 @@ namespace {
 /// Not yet crossed; no row is this low.
 constexpr double kPending = -1e9;
 
+/// A row with less of phi ends the solid that hangs from the upper wall.
+constexpr double kDust = 0.02;
+
 /// One step down, from row j to j - 1, for the columns of one line in x. Returns how many still wait.
 int step_down(const grid::Real* above, const grid::Real* below, double level, int j, int nx,
               double* crossing) {
@@ -47,20 +50,24 @@ std::vector<double> crossing_rows(const grid::Field& field, double level, const 
   return rows;
 }
 
-double height_of_row(double row, const grid::Grid& g) {
-  const double lower = std::floor(row);
-  const int j = static_cast<int>(lower);
-  return g.y_center[j] + (row - lower) * (g.y_center[j + 1] - g.y_center[j]);
-}
-
 std::vector<double> heights_of_solid(const grid::Field& field, const grid::Grid& g) {
   const auto phi = field.view();
   const auto nx = static_cast<std::size_t>(g.nx);
   std::vector<double> heights(nx * static_cast<std::size_t>(g.nz), g.y_face[g.ny]);
+  std::vector<double> share(nx);  // of a row that counts: 1 down to the first row of dust, that one included
   for (int k = 0; k < g.nz; ++k) {
     double* height = heights.data() + static_cast<std::size_t>(k) * nx;
-    for (int j = 0; j < g.ny; ++j) {
-      for (int i = 0; i < g.nx; ++i) height[i] -= phi(i, j, k) * g.dy[j];
+    std::fill(share.begin(), share.end(), 1.0);
+    double left = double(g.nx);
+    for (int j = g.ny - 1; j >= 0 && left > 0; --j) {
+      const double dy = g.dy[j];
+      left = 0;
+#pragma omp simd reduction(+ : left)
+      for (int i = 0; i < g.nx; ++i) {
+        height[i] -= share[i] * phi(i, j, k) * dy;
+        share[i] = phi(i, j, k) < kDust ? 0 : share[i];
+        left += share[i];
+      }
     }
   }
   return heights;
@@ -87,9 +94,7 @@ InterfaceShape shape_of(const std::vector<double>& eta, const grid::Grid& g,
 
 InterfaceShape interface_shape(const grid::Field& phi, const grid::Grid& g,
                                const parallel::Decomposition& decomposition) {
-  std::vector<double> eta = crossing_rows(phi, 0.5, g);
-  for (double& height : eta) height = height_of_row(height, g);
-  return shape_of(eta, g, decomposition);
+  return shape_of(heights_of_solid(phi, g), g, decomposition);
 }
 
 double interface_width(const grid::Field& phi, const grid::Grid& g,

@@ -6,8 +6,9 @@
 #include "solver/grid/grid.hpp"
 #include "solver/parallel/decomposition.hpp"
 
-/// The interface as a height over each column (x, z): the isoline phi = 1/2 where phi is smeared, the depth
-/// of the solid where it is exact.
+/// The interface as a height over each column (x, z), from the depth of the solid: wherever phi is smeared
+/// about it, it moves as the material does. (An isoline of phi, linear between centers, moves half as far
+/// while the interface is still a step.)
 namespace softwall::statistics {
 
 /// Where phi, followed from the upper wall down each column, first falls below `level`: row as a real number,
@@ -16,9 +17,6 @@ namespace softwall::statistics {
 /// where it is below from the start. Islands of solid or fluid beyond the first crossing do not matter.
 [[nodiscard]] std::vector<double> crossing_rows(const grid::Field& phi, double level, const grid::Grid& grid);
 
-/// Height of a row given as a real number, h; linear between centers.
-[[nodiscard]] double height_of_row(double row, const grid::Grid& grid);
-
 /// The interface of the whole plane at one moment, h.
 struct InterfaceShape {
   double mean = 0;
@@ -26,16 +24,17 @@ struct InterfaceShape {
   double max_deviation = 0;  ///< max |eta - mean|
 };
 
-/// Height at which each column would end if its solid hung without gaps from the upper wall, h: the surface's
-/// mean height over the column where phi is the exact share of each cell. Order as crossing_rows.
+/// Height at which each column would end if what hangs from its upper wall were solid throughout, h: upper
+/// wall - sum of phi dy, from the wall down to the first row with phi < 0.02, that one included. Solid below
+/// that row is dust, a drop or the crest of a wave that has folded, and does not count. Where phi is the
+/// exact share of each cell this is the surface's mean height over the column. Order as crossing_rows.
 [[nodiscard]] std::vector<double> heights_of_solid(const grid::Field& phi, const grid::Grid& grid);
 
 /// Mean, rms and largest deviation of the heights eta of this rank's columns. Collective.
 [[nodiscard]] InterfaceShape shape_of(const std::vector<double>& eta, const grid::Grid& grid,
                                       const parallel::Decomposition& decomposition);
 
-/// Shape of the isoline phi = 1/2. A sharp step lies midway between the two centers around it: at the face on
-/// a uniform grid, a quarter of the difference of the two cell heights off it on a stretched one. Collective.
+/// Shape of the interface by heights_of_solid. Collective.
 [[nodiscard]] InterfaceShape interface_shape(const grid::Field& phi, const grid::Grid& grid,
                                              const parallel::Decomposition& decomposition);
 

@@ -97,7 +97,7 @@ void add_solid_center_line(const time::State& s, double G, int nx, int j, int k,
 
 void add_solid_face_line(const time::State& s, const Grid& g, double G, const solid::InterfaceShare& share,
                          int j, int k, PlaneMeans& sums) {
-  const solid::Fraction phi{s.material.phi.view(), g.upper_share.data()};
+  const solid::Fraction phi{s.material.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()};
   const auto xy = s.material.B.xy.view();
   const auto shared = share.view();
   double stress = 0;

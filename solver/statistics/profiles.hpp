@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/statistics_file.hpp"
+#include "solver/run_directory/block_statistics.hpp"
 #include "solver/time/setup.hpp"
 #include "solver/time/state.hpp"
 
@@ -47,7 +47,7 @@ enum ProfileIndex : std::size_t {
 struct ProfileKind {
   std::string_view name;
   analysis::Location location;
-  /// Empty where analysis/quantities.hpp knows the name.
+  /// Empty where solver/run_directory/quantities.hpp knows the name.
   std::string_view unit, description;
 };
 

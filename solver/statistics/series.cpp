@@ -34,12 +34,6 @@ double bulk_velocity(const PlaneMeans& means, const time::State& s, const grid::
   return flow / volume;
 }
 
-InterfaceShape interface_of(const solid::Material& m, const time::Setup& setup) {
-  const auto& g = setup.grid;
-  if (m.formulation == SolidFormulation::kTransportedB) return interface_shape(m.phi, g, setup.decomposition);
-  return shape_of(heights_of_solid(m.phi, g), g, setup.decomposition);
-}
-
 }  // namespace
 
 std::span<const SeriesKind> series_kinds(bool elastic) {
@@ -51,7 +45,7 @@ std::vector<double> series_sample(const time::State& s, const time::Setup& setup
   std::vector<double> values = {means(kViscousStress, 0), -means(kViscousStress, g.ny),
                                 bulk_velocity(means, s, g)};
   if (!s.elastic) return values;
-  const InterfaceShape eta = interface_of(s.material, setup);
+  const InterfaceShape eta = interface_shape(s.material.phi, g, setup.decomposition);
   const SolidHealth health = solid_health(s, setup);
   values.insert(values.end(), {eta.mean, eta.rms, eta.rms * eta.rms, eta.max_deviation, eta.max_deviation,
                                health.min_eigenvalue, health.max_det_error, health.interface_width_cells,

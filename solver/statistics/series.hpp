@@ -14,7 +14,7 @@ namespace softwall::statistics {
 struct SeriesKind {
   std::string_view name;
   Combine combine;
-  /// Empty where analysis/quantities.hpp knows the name.
+  /// Empty where solver/run_directory/quantities.hpp knows the name.
   std::string_view unit, description;
 };
 

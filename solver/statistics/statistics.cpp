@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "solver/case/time_comparison.hpp"
 #include "solver/statistics/box_series.hpp"
 #include "solver/statistics/profiles.hpp"
 #include "solver/statistics/series.hpp"
@@ -130,6 +131,8 @@ analysis::BlockStatistics Statistics::blocks() const {
     append_profiles(block, result);
     result.series["driving_gradient"].push_back(block.driven / block.stepped);
   }
+  // The last block may still be open: nothing after its last sample has been seen.
+  if (!result.end.empty() && !has_reached(last_sample_, result.end.back())) result.end.back() = last_sample_;
   return result;
 }
 

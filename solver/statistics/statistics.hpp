@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/statistics_file.hpp"
+#include "solver/run_directory/block_statistics.hpp"
 #include "solver/statistics/blocks.hpp"
 #include "solver/time/setup.hpp"
 #include "solver/time/state.hpp"

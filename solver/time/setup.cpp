@@ -13,7 +13,7 @@ fluid::Walls moving_walls(const Physics& p, const grid::Grid& g) {
 bool is_implicit(const Physics& p) { return p.time_step.viscosity == ViscousTerms::kImplicit; }
 
 std::optional<double> driven_at(const Physics& p) {
-  return is_driven_channel(p.flow) ? std::optional(1.0) : std::nullopt;
+  return p.is_driven() ? std::optional(1.0) : std::nullopt;
 }
 
 }  // namespace

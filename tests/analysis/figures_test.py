@@ -20,7 +20,9 @@ WRITER, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
 ALL_SCRIPTS = sorted((ROOT / "analysis").glob("plot_*.py"))
 # Those for closed boxes draw snapshots, which take a solver to make: end_to_end/test_closed_box.py draws them.
 WAVES = ROOT / "analysis" / "plot_interface_waves.py"  # draws a campaign of its own
-SCRIPTS = [script for script in ALL_SCRIPTS if "from box_data import" not in script.read_text() and script != WAVES]
+GROWTH = ROOT / "analysis" / "plot_growth_rates.py"
+SCRIPTS = [script for script in ALL_SCRIPTS
+           if "from box_data import" not in script.read_text() and script not in (WAVES, GROWTH)]
 
 
 def make_campaign(folder):
@@ -72,6 +74,30 @@ def make_waves(folder, frequency_error, decay_error):
                         file[f"series/{name}"] = 1e-4 * np.exp(rate * t + 1j * phase).real
 
 
+def make_growing_waves(folder, error):
+    """The wave of linear theory under laminar flow with another one beside it, both formulations, on 24, 48 and 96 cells;
+    `error` of the rate is that on 24 cells and falls with second order."""
+    import h5py
+    import numpy as np
+
+    t = np.arange(0, 20, 0.05)
+    for formulation in ("reference_map", "transported_B"):
+        for cells in (24, 48, 96):
+            directory = pathlib.Path(folder) / "cases" / f"{formulation}-{cells}"
+            directory.mkdir(parents=True)
+            physics = {
+                "flow": "interface_wave", "reynolds": 2800, "grid": {"nx": cells},
+                "domain": {"length_x": 2, "layer_height": 0.5}, "solid": {"G": 0.25, "formulation": formulation},
+                "wave": {"decay": 0.037, "frequency": 2.15, "mean_flow": "laminar"}}
+            (directory / "case.json").write_text(json.dumps({"physics": physics}))
+            rate = 0.07562514 - 2.7323438j + error * (24 / cells) ** 2
+            with h5py.File(directory / "statistics.h5", "w") as file:
+                file["blocks/start"], file["blocks/end"], file["series/time"] = t, t + 1e-3, t
+                for phase, name in enumerate(("wave_v_fluid", "wave_v", "wave_v_solid", "wave_height")):
+                    wave = 1e-5 * (np.exp(rate * t + 1j * phase) + 0.3 * np.exp((-0.09 + 1.56j) * t))
+                    file[f"series/{name}"], file[f"series/{name}_sin"] = wave.real, -wave.imag
+
+
 def draw(script, *arguments):
     return subprocess.run([sys.executable, "-W", "error::UserWarning", script, *map(str, arguments)],
                           capture_output=True, text=True)
@@ -118,6 +144,20 @@ class Figures(unittest.TestCase):
                 self.assertAlmostEqual(value, error, delta=2e-5)
         orders = [float(value) for value in re.findall(r"order of the rate +(\S+)", done.stdout)]
         self.assertEqual(len(orders), 20)
+        self.assertTrue(all(abs(order - 2) < 0.01 for order in orders), orders)
+
+    def test_growing_waves_are_drawn_and_their_rates_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            make_growing_waves(folder, error=0.016 + 0.032j)
+            picture = pathlib.Path(folder) / "growth.png"
+            done = draw(GROWTH, folder, "-o", picture)
+            self.assert_drawn(done, picture)
+        errors = [float(value) for value in re.findall(r" 96 cells .* growth (\S+),.*bars 0.0015, 0.2 % holds", done.stdout)]
+        self.assertEqual(len(errors), 2, done.stdout)
+        for error in errors:
+            self.assertAlmostEqual(error, 0.001, delta=2e-5)
+        orders = [float(value) for value in re.findall(r"errors fall, order between the finest two (\S+)", done.stdout)]
+        self.assertEqual(len(orders), 2, done.stdout)
         self.assertTrue(all(abs(order - 2) < 0.01 for order in orders), orders)
 
     def test_damaged_case_is_left_out_by_name(self):

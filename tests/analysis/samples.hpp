@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/statistics_file.hpp"
+#include "solver/run_directory/statistics_file.hpp"
 
 /// Statistics with known answers, for the tests of analysis/.
 namespace softwall::analysis::samples {

@@ -33,6 +33,14 @@ TEST(AtomicFile, WritesAndReplacesAndLeavesNothingElse) {
   EXPECT_EQ(contents(folder / "file").size(), 12U);
 }
 
+TEST(AtomicFile, ANewOneReplacesNone) {
+  const tests::TemporaryFolder folder;
+  EXPECT_TRUE(write_new_atomically(folder / "file", "first"));
+  EXPECT_FALSE(write_new_atomically(folder / "file", "second"));
+  EXPECT_EQ(contents(folder / "file"), "first");
+  EXPECT_EQ(entries(folder.path()), 1);
+}
+
 TEST(AtomicFile, FailureKeepsTheOldOneAndSaysWhich) {
   const tests::TemporaryFolder folder;
   std::filesystem::create_directory(folder / "taken");

@@ -38,6 +38,16 @@ TEST(CaseChecks, OnlyATransportedFractionHasASharpInterface) {
   expect_complaint(document, "/physics/solid/interface: mthinc");
 }
 
+TEST(CaseChecks, AHeightOverEachColumnNeedsALayer) {
+  json document = elastic_with("/physics/solid/formulation", "transported_B");
+  EXPECT_EQ(complaint_about(document), "");
+  document["physics"]["solid"]["extension"] = "normal";
+  expect_complaint(document, "/physics/solid/interface: height");
+  document = tests::box_document();
+  document["physics"]["solid"].erase("interface");
+  expect_complaint(document, "/physics/solid/interface: height; must be \"mthinc\" or \"weno\" with a disc");
+}
+
 TEST(CaseChecks, ARigidChannelHasNone) {
   json document = tests::rigid_document();
   document["physics"]["solid"] = {{"G", 1}};

@@ -79,12 +79,15 @@ TEST(CaseId, ARigidChannelHasNoLayer) {
 /// before hashing. Shown with the text that is hashed.
 TEST(CaseId, OnlyWhatDiffersFromTheDefaultIsHashed) {
   json physics = tests::elastic_document().at("physics");
+  physics["solid"].update({{"formulation", "transported_B"},
+                           {"interface", "weno"},
+                           {"stiffness", "explicit"}});  // the first defaults
   json whole = {{"physics", physics}};
   case_schema().fill_defaults(whole);
   case_schema().drop_defaults(whole);
   EXPECT_EQ(
       canonical_text(whole.at("physics")),
-      R"({"flow":"elastic_wall","grid":{"nx":32,"ny_fluid":32,"ny_solid":8,"nz":16},"solid":{"G":0.5,"formulation":"reference_map","stiffness":"implicit"}})");
+      R"({"flow":"elastic_wall","grid":{"nx":32,"ny_fluid":32,"ny_solid":8,"nz":16},"solid":{"G":0.5}})");
 }
 
 /// Ids of released versions: when this fails, every finished case in the world has been orphaned. Do not
@@ -95,14 +98,14 @@ TEST(CaseId, NeverChanges) {
       "1898238d1a454764");
   EXPECT_EQ(
       case_id(json::parse(
-          R"({"flow": "elastic_wall", "solid": {"G": 0.5, "formulation": "transported_B", "stiffness": "explicit"},
+          R"({"flow": "elastic_wall", "solid": {"G": 0.5, "formulation": "transported_B", "interface": "weno", "stiffness": "explicit"},
                                     "grid": {"nx": 32, "ny_fluid": 32, "ny_solid": 8, "nz": 16}})")),
       "027084d3ff65cafd");
   EXPECT_EQ(case_id(json::parse(R"({
               "flow": "elastic_wall", "reynolds": 3000.5,
               "domain": {"length_x": 7, "length_z": 2.5, "layer_height": 0.75},
               "grid": {"nx": 33, "ny_fluid": 32, "ny_solid": 20, "nz": 17, "stretching": 1.25},
-              "solid": {"G": 0.3, "viscosity_ratio": 0.1, "formulation": "transported_B", "weno": "js", "threshold": 0.7,
+              "solid": {"G": 0.3, "viscosity_ratio": 0.1, "formulation": "transported_B", "interface": "weno", "weno": "js", "threshold": 0.7,
                         "min_eigenvalue": 0.001, "stiffness": "explicit"},
               "time_step": {"fixed_dt": 0.001, "safety": 0.5},
               "initial": {"type": "precursor", "amplitude": 0.2, "seed": 7, "precursor": "0123456789abcdef",
@@ -116,11 +119,26 @@ TEST(CaseId, AChangedDefaultGivesNoOldIdToNewPhysics) {
   json first = tests::elastic_document(), second = first, absent = first;
   first["physics"]["solid"]["formulation"] = "transported_B";
   first["physics"]["solid"]["stiffness"] = "explicit";
+  first["physics"]["solid"]["interface"] = "weno";
   second["physics"]["solid"]["formulation"] = "reference_map";
   second["physics"]["solid"]["stiffness"] = "implicit";
   EXPECT_EQ(id_of(first), "027084d3ff65cafd");
   EXPECT_NE(id_of(second), id_of(first));
   EXPECT_EQ(id_of(absent), id_of(second));
+}
+
+TEST(CaseId, TheInterfaceIsNoPartOfACaseWithAReferenceMap) {
+  json document = tests::elastic_document();
+  const std::string id = id_of(document);
+  for (const char* interface : {"weno", "height"}) {
+    document["physics"]["solid"]["interface"] = interface;
+    EXPECT_EQ(id_of(document), id);
+  }
+  document["physics"]["solid"]["formulation"] = "transported_B";
+  const std::string under_a_height = id_of(document);
+  document["physics"]["solid"].erase("interface");
+  EXPECT_EQ(id_of(document), under_a_height);
+  EXPECT_NE(under_a_height, "027084d3ff65cafd") << "the id of the same with weno, the first default";
 }
 
 /// What ids rest on. A default that changed would give old ids to new physics, and no id would tell, unless
@@ -130,6 +148,8 @@ TEST(CaseId, DefaultsNeverChange) {
             "transported_B");
   EXPECT_EQ(case_schema().part(json::json_pointer("/physics/solid/stiffness"))->at("identity_default"),
             "explicit");
+  EXPECT_EQ(case_schema().part(json::json_pointer("/physics/solid/interface"))->at("identity_default"),
+            "weno");
   json whole = {{"physics",
                  {{"flow", "elastic_wall"},
                   {"grid", json::object()},
@@ -140,9 +160,9 @@ TEST(CaseId, DefaultsNeverChange) {
               "flow": "elastic_wall", "reynolds": 2800,
               "domain": {"length_x": 6, "length_z": 3, "layer_height": 0.5, "height": 2},
               "grid": {"ny_solid": 0, "stretching": 0}, "precision": "double",
-              "solid": {"viscosity_ratio": 1, "formulation": "reference_map", "weno": "z", "interface": "weno",
+              "solid": {"viscosity_ratio": 1, "formulation": "reference_map", "weno": "z", "interface": "height",
                         "threshold": 0.9, "extension": "column", "min_eigenvalue": 1e-4, "stiffness": "implicit"},
-              "wave": {"displacement": 1e-4},
+              "wave": {"displacement": 1e-4, "mean_flow": "none"},
               "time_step": {"safety": 0.8, "viscosity": "explicit"},
               "initial": {"type": "perturbed_laminar", "amplitude": 0.1, "seed": 1, "precursor": "",
                           "precursor_time": 0},

@@ -69,7 +69,8 @@ TEST(Case, WritingAndReadingBackChangesNothing) {
 }
 
 TEST(Case, WhatCarriesPhiIsRead) {
-  EXPECT_EQ(parse_case(tests::elastic_document().dump()).physics.solid->interface, InterfaceTransport::kWeno);
+  EXPECT_EQ(parse_case(tests::elastic_document().dump()).physics.solid->interface,
+            InterfaceTransport::kHeight);
   EXPECT_EQ(parse_case(tests::box_document().dump()).physics.solid->interface, InterfaceTransport::kMthinc);
 }
 
@@ -80,7 +81,17 @@ TEST(Case, AWaveIsRead) {
   EXPECT_EQ(p.wave->decay, 0.0543952160378);
   EXPECT_EQ(p.wave->frequency, 3.09964567747);
   EXPECT_EQ(p.wave->displacement, 0.001);
+  EXPECT_EQ(p.wave->mean_flow, MeanFlow::kLaminar);
+  EXPECT_TRUE(p.is_driven());
   EXPECT_FALSE(parse_case(tests::elastic_document().dump()).physics.wave);
+}
+
+TEST(Case, AWaveOverFluidAtRestIsNotDriven) {
+  json document = tests::wave_document();
+  document["physics"]["wave"].erase("mean_flow");
+  const Physics p = parse_case(document.dump()).physics;
+  EXPECT_EQ(p.wave->mean_flow, MeanFlow::kNone);
+  EXPECT_FALSE(p.is_driven());
 }
 
 TEST(Case, NumbersSurviveToTheLastBit) {

@@ -64,7 +64,8 @@ inline nlohmann::json wave_document() {
     "format": 1, "label": "wave",
     "physics": {
       "flow": "interface_wave", "grid": {"nx": 32, "ny_fluid": 32, "ny_solid": 8, "nz": 1}, "solid": {"G": 1},
-      "wave": {"decay": 0.0543952160378, "frequency": 3.09964567747, "displacement": 0.001}},
+      "wave": {"decay": 0.0543952160378, "frequency": 3.09964567747, "displacement": 0.001,
+               "mean_flow": "laminar"}},
     "run": {"end_time": 11}})");
 }
 

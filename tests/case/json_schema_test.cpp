@@ -77,6 +77,7 @@ TEST(JsonSchema, DroppingDefaultsUndoesFilling) {
     if (expected["physics"].contains("solid")) {
       json& solid = expected["physics"]["solid"];
       solid["formulation"] = "reference_map";
+      solid["interface"] = "height";
       if (!solid.contains("stiffness")) {
         solid["stiffness"] = "implicit";
       } else if (solid.at("stiffness") == "explicit") {

@@ -27,6 +27,10 @@ class Commands(unittest.TestCase):
         documented = MENTION.findall(code_in(text_of("campaign/README.md")))
         self.assertEqual(sorted(set(commands()) - set(documented)), [])
 
+    def test_the_manual_page_lists_the_commands(self):
+        listed = re.findall(r"^\.It Cm (\w+)$", text_of("campaign/softwall.1"), re.MULTILINE)
+        self.assertEqual(sorted(listed), sorted(commands()))
+
     def test_every_documented_command_exists(self):
         for path in committed_files():
             if path.suffix != ".md":

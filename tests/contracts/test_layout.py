@@ -5,7 +5,7 @@ import unittest
 
 from repository import ROOT, committed_files, text_of
 
-TOP_LEVEL = {"CMakeLists.txt", "CMakePresets.json", "README.md", "LICENSE",
+TOP_LEVEL = {"CMakeLists.txt", "CMakePresets.json", "README.md", "LICENSE", "CONTRIBUTING.md", "CHANGELOG.md", "CITATION.cff",
              "solver", "campaign", "analysis", "schemas", "tests", "runs"}
 ROOMS = ["solver", "campaign", "analysis", "schemas", "tests", "runs"]
 # Absolute paths of somebody's machine, and folders beside the repository.

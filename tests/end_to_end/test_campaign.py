@@ -47,6 +47,22 @@ class WholeCampaign(EndToEndTest):
             self.assertGreater(row["u_max"], 1)
             self.assertAlmostEqual(row["window_end"], 0.6, places=2)
 
+    def test_every_small_file_is_held_against_its_schema(self):
+        """test_finishes... finds the files of a real run sound; here each of them is broken in turn."""
+        directory = self.shared.directory("G=1_mu=1")
+        for name, member in (("case.json", "physics"), ("run.json", "started"), ("status.json", "dt_limit"),
+                             ("summary.json", "provenance")):
+            with self.subTest(name):
+                whole = (directory / name).read_text(encoding="utf-8")
+                self.addCleanup((directory / name).write_text, whole, encoding="utf-8")
+                broken = json.loads(whole)
+                del broken[member]
+                (directory / name).write_text(json.dumps(broken), encoding="utf-8")
+                verdict = self.shared.call("verify")
+                (directory / name).write_text(whole, encoding="utf-8")
+                self.assertEqual(verdict.returncode, 3, verdict.stdout)
+                self.assertIn(f"{name}: /{member}: missing", verdict.stdout)
+
     def test_running_again_changes_nothing(self):
         before = self.shared.results(), self.shared.final_data()
         for command in ("run", "resume"):

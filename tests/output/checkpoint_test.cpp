@@ -4,6 +4,8 @@
 
 #include "solver/output/checkpoint_reader.hpp"
 #include "solver/output/checkpoints.hpp"
+#include "solver/run_directory/checkpoint_size.hpp"
+#include "solver/time/initial.hpp"
 #include "tests/output/sample_state.hpp"
 #include "tests/output/shared_folder.hpp"
 
@@ -79,6 +81,19 @@ TEST_F(CheckpointTest, ComesBackExactlyOnAnyNumberOfRanks) {
       const auto group = parallel::Communicator::split(world_.get(), world_.rank() / readers, world_.rank());
       expect_round_trip(physics, group, *found);
     }
+  }
+}
+
+TEST_F(CheckpointTest, ItsSizeIsKnownFromTheCaseAlone) {
+  const support::Cells cells{8, 12, 4, 6};
+  std::vector<Physics> all = {support::rigid_channel({8, 12, 0, 6})};
+  for (const auto formulation : support::kBothFormulations)
+    all.push_back(support::formulated(support::elastic_channel(cells), formulation));
+  for (Physics& physics : all) {
+    physics.precision = grid::kPrecision;
+    time::Setup setup(physics, world_.get());
+    time::State state = time::state_at_rest(setup);
+    EXPECT_EQ(checkpoint_field_bytes(physics), checkpoint_bytes(state, setup.grid));
   }
 }
 

@@ -85,10 +85,11 @@ void strain(benchmark::State& state) {
   grid::TensorField B(p.g, 1);
   grid::Field error(p.g, 1);
   StrainSweep sweep(p.g);
+  Damage damage(p.g);
   for (auto _ : state) {
     sweep.run(strain_of(p.displacement, p.g), p.ones.view(), 0,
               {B.xx.view(), B.yy.view(), B.zz.view(), B.xy.view(), B.xz.view(), B.yz.view(), error.view()},
-              [](int) {});
+              damage, [](int) {});
     benchmark::ClobberMemory();
   }
   p.count(state);

@@ -5,8 +5,8 @@
 #include <csignal>
 #include <fstream>
 
-#include "solver/case/checkpoint_header.hpp"
 #include "solver/output/watchdog.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
 #include "tests/restart/solver_run.hpp"
 
 // Whatever goes wrong: one clear message, the right exit code, nothing lost.

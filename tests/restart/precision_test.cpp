@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "solver/case/checkpoint_header.hpp"
 #include "solver/output/checkpoint_reader.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
 #include "tests/restart/solver_run.hpp"
 
 // physics.precision chooses the program: softwall-dns is started, and becomes the right one.

@@ -7,8 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include "solver/case/checkpoint_header.hpp"
 #include "solver/output/checkpoint_reader.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
 #include "tests/restart/solver_run.hpp"
 
 // A run that was stopped for any reason and resumed gives, on the same number of ranks, the same bits as one
@@ -32,6 +32,7 @@ class Restart : public testing::TestWithParam<Setting> {
     if (flow == "rigid") return rigid_case(steps);
     if (flow == "reference_map") return reference_map_case(steps);
     if (flow == "wave") return wave_case(steps);
+    if (flow == "driven_wave") return driven_wave_case(steps);
     json c = elastic_case(steps);
     if (flow == "single") c["physics"]["precision"] = "single";
     return c;
@@ -50,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(, Restart,
                                          Setting{"elastic", 1}, Setting{"elastic", 2}, Setting{"elastic", 4},
                                          Setting{"single", 2}, Setting{"reference_map", 1},
                                          Setting{"reference_map", 2}, Setting{"reference_map", 4},
-                                         Setting{"wave", 1}, Setting{"wave", 2}),
+                                         Setting{"wave", 1}, Setting{"wave", 2}, Setting{"driven_wave", 2}),
                          [](const auto& test) { return test.param.flow + std::to_string(test.param.ranks); });
 
 TEST_P(Restart, FromEachCheckpointOfAnInterval) {

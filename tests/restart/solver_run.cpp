@@ -10,7 +10,7 @@
 #include <sstream>
 #include <thread>
 
-#include "solver/case/checkpoint_header.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
 
 namespace softwall::support {
 
@@ -61,6 +61,12 @@ json wave_case(int steps) {
   c["physics"]["flow"] = "interface_wave";
   c["physics"]["grid"]["nz"] = 1;
   c["physics"]["wave"] = {{"decay", 0.112106670118}, {"frequency", 2.55844047078}, {"displacement", 0.01}};
+  return c;
+}
+
+json driven_wave_case(int steps) {
+  json c = wave_case(steps);
+  c["physics"]["wave"]["mean_flow"] = "laminar";
   return c;
 }
 

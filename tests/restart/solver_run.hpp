@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "solver/case/run_files.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 /// The real softwall-dns under the real mpirun, in a run directory of its own.
 namespace softwall::support {
@@ -54,6 +54,8 @@ class SolverRun {
 [[nodiscard]] nlohmann::json reference_map_case(int steps);
 /// A wave at the interface of that layer, in two dimensions.
 [[nodiscard]] nlohmann::json wave_case(int steps);
+/// The same over laminar flow.
+[[nodiscard]] nlohmann::json driven_wave_case(int steps);
 
 [[nodiscard]] std::string contents(const std::filesystem::path& file);
 

@@ -3,7 +3,7 @@
 #include "solver/time/advance.hpp"
 #include "solver/time/initial.hpp"
 #include "tests/support/fields.hpp"
-#include "tests/support/physics.hpp"
+#include "tests/support/solids.hpp"
 
 namespace softwall::time {
 namespace {
@@ -18,13 +18,12 @@ void expect_exactly(const grid::Field& f, const grid::Grid& g, int rows, const V
   }
 }
 
-void expect_rest(SolidFormulation formulation, double viscosity_ratio, double stretching) {
+void expect_rest(const SolidSpec& solid_spec, double viscosity_ratio, double stretching) {
   Physics p = support::elastic_channel({12, 12, 4, 9});
-  p.solid->viscosity_ratio = viscosity_ratio;
-  p.solid->G = 4;
+  p.solid = support::made_of(solid_spec, 4, viscosity_ratio);
   p.grid.stretching = stretching;
   p.layer_height = 0.5;
-  Setup setup(support::formulated(p, formulation), MPI_COMM_WORLD);
+  Setup setup(p, MPI_COMM_WORLD);
   setup.bulk_velocity.reset();
   State s = state_at_rest(setup);
   start(s, setup);
@@ -49,15 +48,14 @@ void expect_rest(SolidFormulation formulation, double viscosity_ratio, double st
   EXPECT_EQ(setup.solid->limited_cells(), 0);
 }
 
-class LayerAtRest : public testing::TestWithParam<SolidFormulation> {};
+class LayerAtRest : public testing::TestWithParam<support::NamedSolid> {};
 
-TEST_P(LayerAtRest, StaysExactlyAtRest) { expect_rest(GetParam(), 1, 0); }
+TEST_P(LayerAtRest, StaysExactlyAtRest) { expect_rest(GetParam().spec, 1, 0); }
 TEST_P(LayerAtRest, StaysExactlyAtRestWithAnotherViscosityOnAStretchedGrid) {
-  expect_rest(GetParam(), 10, 1.2);
+  expect_rest(GetParam().spec, 10, 1.2);
 }
 
-INSTANTIATE_TEST_SUITE_P(, LayerAtRest, testing::ValuesIn(support::kBothFormulations),
-                         [](const auto& test) { return support::name_of(test.param); });
+INSTANTIATE_TEST_SUITE_P(, LayerAtRest, testing::ValuesIn(support::solids()), support::solid_name);
 
 }  // namespace
 }  // namespace softwall::time

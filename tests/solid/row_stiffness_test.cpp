@@ -7,6 +7,7 @@
 #include "solver/solid/transported_b.hpp"
 #include "tests/support/fields.hpp"
 #include "tests/support/physics.hpp"
+#include "tests/support/round_off.hpp"
 
 namespace softwall::solid {
 namespace {
@@ -60,7 +61,7 @@ TEST_P(RowStiffnessOf, SolvesItsSystem) {
   auto velocity = support::random_velocity(d, 6);
   RowStiffness(spec, formulation, g).apply(m, before, {kDt, kViscous, kDriving}, kFirstRow, velocity);
 
-  const Fraction phi{m.phi.view(), g.upper_share.data()};
+  const Fraction phi{m.phi.view(), g.upper_share.data(), !formulation.interface_share().is_mean_by_volume()};
   const double elastic = (1 + step_limits::kSpareStiffness) * kG * kDt * kDt / 4;
   const double excess = ratio > 1 ? kViscous * (ratio - 1) : 0;
   const auto check = [&](grid::Field grid::VectorField::*component, double constant, const auto& share,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/run_directory/statistics_checks.hpp"
 #include "solver/statistics/statistics.hpp"
 #include "solver/time/advance.hpp"
 #include "solver/time/closed_box.hpp"

@@ -13,11 +13,16 @@ namespace {
 
 using namespace testing;
 
-/// Solid above eta(x, z), with a linear transition of the given width: linear interpolation finds it exactly.
+/// Solid above eta(x, z), with a linear transition of the given width, the mean of each cell.
 grid::Field solid_above(const grid::Grid& g, double width, const std::function<double(double, double)>& eta) {
   grid::Field phi(g, 3);
+  const auto integral = [=](double above) {  // of clamp(1/2 + y / width, 0, 1) up to y = `above`
+    const double share = std::clamp(0.5 + above / width, 0.0, 1.0);
+    return width * share * share / 2 + std::max(0.0, above - width / 2);
+  };
   for_columns(g, 0, g.ny, [&](int i, int j, int k, double x, double z) {
-    phi(i, j, k) = std::clamp(0.5 + (g.y_center[j] - eta(x, z)) / width, 0.0, 1.0);
+    const double bottom = g.y_face[j] - eta(x, z), top = g.y_face[j + 1] - eta(x, z);
+    phi(i, j, k) = (integral(top) - integral(bottom)) / (top - bottom);
   });
   return phi;
 }
@@ -27,7 +32,7 @@ TEST(Interface, ShapeOfAWavyInterface) {
     auto physics = elastic_case();
     physics.grid.stretching = stretching;
     const time::Setup setup(physics, MPI_COMM_WORLD);
-    const auto phi = solid_above(setup.grid, 0.9, [&](double x, double z) {
+    const auto phi = solid_above(setup.grid, 0.6, [&](double x, double z) {
       return 1.98 + 0.08 * std::cos(2 * kPi * x / 4) * std::cos(2 * kPi * z / 3);
     });
     const auto shape = interface_shape(phi, setup.grid, setup.decomposition);
@@ -59,7 +64,7 @@ TEST(Interface, ShapeOfASharpInterface) {
       const double eta = 1.98 + 0.2 * std::cos(2 * kPi * x / 4) * std::cos(2 * kPi * z / 3);
       phi(i, j, k) = std::clamp((g.y_face[j + 1] - eta) / g.dy[j], 0.0, 1.0);
     });
-    const auto shape = shape_of(heights_of_solid(phi, g), g, setup.decomposition);
+    const auto shape = interface_shape(phi, g, setup.decomposition);
     EXPECT_NEAR(shape.mean, 1.98, 1e-13);
     EXPECT_NEAR(shape.rms, 0.2 / 2, 1e-13);
     EXPECT_NEAR(shape.max_deviation, 0.2, 1e-13);
@@ -71,7 +76,10 @@ TEST(Interface, WidthInCells) {
   const auto& g = setup.grid;
   const auto sharp = time::state_at_rest(g, true);
   EXPECT_NEAR(interface_width(sharp.material.phi, g, setup.decomposition), 0.8, 1e-13);
-  const auto wide = solid_above(g, 1.5, [](double x, double) { return 1.5 + 0.05 * std::sin(kPi * x / 2); });
+  grid::Field wide(g, 3);  // linear from center to center
+  for_columns(g, 0, g.ny, [&](int i, int j, int k, double x, double) {
+    wide(i, j, k) = std::clamp(0.5 + (g.y_center[j] - 1.5 - 0.05 * std::sin(kPi * x / 2)) / 1.5, 0.0, 1.0);
+  });
   EXPECT_NEAR(interface_width(wide, g, setup.decomposition), 0.8 * 1.5 * 8, 1e-12);
 }
 
@@ -97,7 +105,23 @@ TEST(Interface, AValueEqualToTheLevelIsSolid) {
   const auto& g = setup.grid;
   grid::Field phi(g, 3);
   for_columns(g, 10, g.ny, [&](int i, int j, int k, double, double) { phi(i, j, k) = j == 10 ? 0.5 : 1; });
-  EXPECT_NEAR(interface_shape(phi, g, setup.decomposition).mean, g.y_center[10], 1e-14);
+  for (const double row : crossing_rows(phi, 0.5, g)) EXPECT_NEAR(row, 10, 1e-14);
+}
+
+/// A wave so small that nothing but traces cross the face on which the interface lay.
+TEST(Interface, MovesAsFarAsTheMaterialHoweverLittle) {
+  const time::Setup setup(elastic_case(), MPI_COMM_WORLD);
+  const auto& g = setup.grid;
+  const auto phi = solid_above(g, 1e-9, [](double x, double) { return 2 + 1e-5 * std::sin(kPi * x / 2); });
+  EXPECT_NEAR(interface_shape(phi, g, setup.decomposition).rms, 1e-5 / std::sqrt(2), 1e-11);
+}
+
+TEST(Interface, DustDoesNotCount) {
+  const time::Setup setup(elastic_case(), MPI_COMM_WORLD);
+  const auto& g = setup.grid;
+  auto phi = solid_above(g, 0.5, [](double, double) { return 1.875; });
+  for_columns(g, 0, 8, [&](int i, int j, int k, double, double) { phi(i, j, k) += 0.01; });
+  EXPECT_NEAR(interface_shape(phi, g, setup.decomposition).mean, 1.875, 0.011 / 8);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
-#include "analysis/quantities.hpp"
 #include "solver/parallel/reduce.hpp"
+#include "solver/run_directory/quantities.hpp"
 #include "solver/solid/elastic_force.hpp"
 #include "solver/solid/excess_viscosity.hpp"
 #include "tests/statistics/flows.hpp"

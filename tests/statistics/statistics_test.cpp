@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/statistics_file.hpp"
+#include "solver/run_directory/statistics_checks.hpp"
 #include "solver/statistics/interface_height.hpp"
 #include "solver/statistics/profiles.hpp"
 #include "solver/statistics/solid_health.hpp"
@@ -64,6 +64,7 @@ TEST(Statistics, IntegrateTheDrivingGradientOverEveryStepFromTheStartTimeOn) {
   ASSERT_EQ(blocks.blocks(), 4u);  // 0.01 .. 0.03 .. 0.05 .. 0.07 .. 0.084
   EXPECT_DOUBLE_EQ(blocks.start[1], 0.03);
   EXPECT_DOUBLE_EQ(blocks.end[1], 0.05);
+  EXPECT_DOUBLE_EQ(blocks.end[3], end);  // the last block is still open: it ends where its last sample is
   // Steps end at 0.003 n: those up to 30, 48, 69, 84 thousandths.
   const std::vector<double> stepped = {0.020, 0.018, 0.021, 0.015};
   double integral = 0, sampled = 0;

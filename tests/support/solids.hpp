@@ -8,7 +8,8 @@
 
 #include "tests/support/physics.hpp"
 
-/// The formulations of the solid that verification runs through: every one has to pass the same tests.
+/// The solids that verification runs through, both formulations and of transported B the paper's transport of
+/// phi and the default one: every one has to pass the same tests.
 namespace softwall::support {
 
 struct NamedSolid {
@@ -22,6 +23,8 @@ inline std::vector<NamedSolid> solids() {
   std::vector<NamedSolid> all;
   for (const auto formulation : kBothFormulations)
     all.push_back({name_of(formulation), *formulated(paper, formulation).solid});
+  all.push_back({"TransportedBUnderAHeight", all.front().spec});
+  all.back().spec.interface = InterfaceTransport::kHeight;
   return all;
 }
 

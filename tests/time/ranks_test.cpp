@@ -2,6 +2,7 @@
 
 #include "solver/time/initial.hpp"
 #include "tests/support/flows.hpp"
+#include "tests/support/solids.hpp"
 
 // However many ranks share the box, they compute what one rank computes, up to round-off.
 namespace softwall::time {
@@ -47,8 +48,10 @@ TEST(Ranks, ElasticChannelIsTheSame) {
 TEST(Ranks, ElasticChannelWithASharpInterfaceIsTheSame) {
   Physics p = support::elastic_channel({13, 12, 6, 14});
   p.reynolds = 500;
-  p.solid->interface = InterfaceTransport::kMthinc;
-  expect_independent_of_ranks(p, support::smooth_state);
+  for (const auto interface : {InterfaceTransport::kMthinc, InterfaceTransport::kHeight}) {
+    p.solid->interface = interface;
+    expect_independent_of_ranks(p, support::smooth_state);
+  }
 }
 
 TEST(Ranks, PencilsInBothDirectionsAreTheSame) {
@@ -56,8 +59,9 @@ TEST(Ranks, PencilsInBothDirectionsAreTheSame) {
   if (support::world_size() == 3) GTEST_SKIP() << "three ranks do not fit";
   Physics p = support::elastic_channel({12, 12, 6, 6});
   p.reynolds = 500;
-  for (const auto formulation : support::kBothFormulations) {
-    expect_independent_of_ranks(support::formulated(p, formulation), support::smooth_state);
+  for (const auto& solid : support::solids()) {
+    p.solid = solid.spec;
+    expect_independent_of_ranks(p, support::smooth_state);
   }
 }
 

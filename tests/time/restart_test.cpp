@@ -54,6 +54,15 @@ TEST(Restart, ElasticChannelWithASharpInterfaceGoesOnWithTheSameBits) {
   expect_same_bits_from_any_moment(p, 40, false);
 }
 
+TEST(Restart, ElasticChannelUnderAHeightGoesOnWithTheSameBits) {
+  Physics p = support::elastic_channel({12, 48, 18, 8});
+  p.reynolds = 300;
+  p.solid->G = 0.25;
+  p.solid->viscosity_ratio = 3;
+  p.solid->interface = InterfaceTransport::kHeight;
+  expect_same_bits_from_any_moment(p, 40, false);
+}
+
 TEST(Restart, ElasticChannelWithAReferenceMapGoesOnWithTheSameBits) {
   for (const double stretching : {0.0, 1.0}) {
     Physics p =

@@ -142,7 +142,7 @@ TEST_P(ShearWave, IsSecondOrderInTimeAsFarAsFourTimesTheExplicitLimit) {
       step_limits::elastic(Stiffness::kExplicit, kG,
                            step_limits::stiffness(step_limits::Deformation<double>{1, 1, 1, 0, 0, 0}, inv));
   const int most = static_cast<int>(1.3 / (4 * limit));  // steps a little longer than four times the limit
-  for (const auto [m, n] : {std::pair{2, 2}, std::pair{3, 1}}) {
+  for (const auto& [m, n] : {std::pair{2, 2}, std::pair{3, 1}}) {
     const auto error = [&](int steps) { return error_of_antiplane_wave(GetParam(), m, n, steps); };
     const std::vector<double> errors{error(most), error(2 * most), error(4 * most)};
     SCOPED_TRACE(testing::Message() << "m = " << m << ", n = " << n);

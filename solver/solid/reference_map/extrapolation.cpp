@@ -13,8 +13,27 @@ struct Extrapolation::Bounds {
   }
 };
 
+namespace {
+
+/// The larger of both; in z only where the flow has more than one cell.
+double horizontal_spacing(const Grid& g) { return g.nz_global > 1 ? std::max(g.dx, g.dz) : g.dx; }
+
+}  // namespace
+
 Extrapolation::Extrapolation(const Grid& grid)
-    : grid_(grid), surface_(static_cast<std::size_t>(grid.nx)), slope_(static_cast<std::size_t>(grid.nx)) {}
+    : grid_(grid),
+      slope_height_(horizontal_spacing(grid) / 2),
+      surface_(static_cast<std::size_t>(grid.nx)),
+      slope_(static_cast<std::size_t>(grid.nx)) {}
+
+/// The row whose point, with that of row j, gives the slope at row j.
+int Extrapolation::upper_end_of_slope(const grid::RowArray& y, int j) const {
+  const double enough =
+      slope_height_ * (1 - 1e-6);  // spacings that are equal but for round-off count as such
+  int upper = j + 1;
+  while (upper < grid_.ny && y[upper] - y[j] < enough) ++upper;
+  return upper;
+}
 
 /// surface(i, k): its height where the component lives; y: heights of the component's rows, of which the
 /// highest always counts as solid. Walks down from the lowest row that is solid along the whole line.
@@ -33,18 +52,19 @@ void Extrapolation::extend(View<Real> d, const grid::RowArray& y, int j0, const 
     }
     int solid = top;
     while (solid > j0 && y[solid - 1] >= highest) --solid;
-    const Real inverse_top = 1 / Real(y[solid + 1] - y[solid]);
+    const int top_end = upper_end_of_slope(y, solid);
+    const Real inverse_top = 1 / Real(y[top_end] - y[solid]);
 #pragma omp simd
-    for (int i = 0; i < nx; ++i)
-      slope[i] = slopes.within((d(i, solid + 1, k) - d(i, solid, k)) * inverse_top);
+    for (int i = 0; i < nx; ++i) slope[i] = slopes.within((d(i, top_end, k) - d(i, solid, k)) * inverse_top);
     for (int j = solid - 1; j >= j0; --j) {
       const double here = y[j];
-      const Real height = Real(y[j + 1] - y[j]), inverse = 1 / height;
+      const int end = upper_end_of_slope(y, j);
+      const Real height = Real(y[j + 1] - y[j]), inverse = 1 / Real(y[end] - y[j]);
 #pragma omp simd
       for (int i = 0; i < nx; ++i) {
         const bool is_solid = here >= eta[i];
         const Real own = d(i, j, k), above = d(i, j + 1, k);
-        const Real line = is_solid ? slopes.within((above - own) * inverse) : slope[i];
+        const Real line = is_solid ? slopes.within((d(i, end, k) - own) * inverse) : slope[i];
         slope[i] = line;
         d(i, j, k) = is_solid ? own : above - line * height;
       }

@@ -23,8 +23,10 @@ class Extrapolation {
   struct Bounds;
   template <class SurfaceAt>
   void extend(View<Real> d, const grid::RowArray& y, int j0, const Bounds& slopes, const SurfaceAt& surface);
+  [[nodiscard]] int upper_end_of_slope(const grid::RowArray& y, int j) const;
 
   const Grid& grid_;
+  double slope_height_;          ///< over which slopes are measured, at least, h
   std::vector<double> surface_;  ///< its heights over a line of points
   std::vector<Real> slope_;      ///< of the lines through them
 };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "solver/grid/cell_loop.hpp"
+#include "solver/parallel/reduce.hpp"
 
 namespace softwall::solid::reference_map {
 
@@ -24,18 +25,23 @@ grid::VectorField some_planes(Grid g) {
 
 }  // namespace
 
-ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid, grid::Halo& halo)
+ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid,
+                           const parallel::Decomposition& decomposition, grid::Halo& halo)
     : grid_(grid),
       weights_(weights),
+      decomposition_(decomposition),
       halo_(halo),
       speeds_(grid),
       recent_(some_planes(grid)),
       before_(grid, 0),
       volume_error_(grid, 1),
+      damage_(grid),
+      mending_(grid, kPlanes),
       strain_(grid),
       own_heights_(grid, 1),
       wide_heights_(grid, 2),
       extrapolation_(grid),
+      isochoric_extension_(grid),
       fractions_(grid),
       share_(kFluidAtFlatInterface, grid) {}
 
@@ -63,12 +69,19 @@ PlaneOfRates ReferenceMap::recent_rates(int k) {
 void ReferenceMap::advance(Material& m, const grid::VectorField& velocity, const Stage& stage, double dt,
                            int first_row) {
   speeds_.set(dt);
+  speeds_.restore_volume(dt, m.surface_at_rest, mean_height_ - m.surface_at_rest);
   const VolumeRelaxation relaxation(speeds_, volume_error_);
   for (int k = 0; k < grid_.nz + kGhost; ++k) {
     if (k < grid_.nz) {
-      find_rates(m.displacement, velocity, relaxation, grid_, weights_, {k, first_row}, recent_rates(k));
+      const RowsOfAPlane rows{k, first_row};
+      find_rates(m.displacement, velocity, relaxation, grid_, weights_, rows, recent_rates(k));
+      mending_.find(damage_, m.displacement, rows);
     }
-    if (k >= kGhost) update(m.displacement, stage, dt, {k - kGhost, first_row});
+    if (k >= kGhost) {
+      const RowsOfAPlane rows{k - kGhost, first_row};
+      update(m.displacement, stage, dt, rows);
+      mending_.add(damage_, rows, m.displacement);
+    }
   }
 }
 
@@ -96,18 +109,30 @@ void ReferenceMap::extend_below_surface(Material& m, int first_row) {
     halo_.fill_side(side, {&d.y}, {lowest, grid_.ny + 1});
   own_heights_.find(d.y, m.surface_at_rest);
   extrapolation_.extend(own_heights_, lowest, d);
+  fill_ghosts(d, first_row);
+  isochoric_extension_.apply(own_heights_, lowest, d);
+  halo_.fill({&d.y}, rows_with_ghosts(first_row));
 }
 
 void ReferenceMap::make_consistent(Material& m, int first_row, const PlaneReady& ready) {
+  fill_ghosts(m.displacement, first_row);
   derive(m, first_row, ready);
 }
 
-/// Returns the number of torn cells.
+grid::RowSpan ReferenceMap::rows_with_ghosts(int first_row) const {
+  return {first_row > kGhost ? first_row - kGhost : -kGhost, grid_.ny + kGhost};
+}
+
+void ReferenceMap::fill_ghosts(grid::VectorField& d, int first_row) {
+  fill_beyond_walls(d, first_row);
+  halo_.fill({&d.x, &d.y, &d.z}, rows_with_ghosts(first_row));
+}
+
+/// Reads the displacement and its ghost cells. Returns the number of torn cells.
 std::int64_t ReferenceMap::derive(Material& m, int first_row, const PlaneReady& ready) {
-  const grid::RowSpan span{first_row > kGhost ? first_row - kGhost : -kGhost, grid_.ny + kGhost};
-  fill_beyond_walls(m.displacement, first_row);
-  halo_.fill({&m.displacement.x, &m.displacement.y, &m.displacement.z}, span);
   wide_heights_.find(m.displacement.y, m.surface_at_rest);
+  mean_height_ =
+      parallel::sum(decomposition_.all(), wide_heights_.sum()) / (double(grid_.nx_global) * grid_.nz_global);
   const double row_height = row_height_at(m.surface_at_rest);
   share_.follow([&](int i, int k) { return wide_heights_.flatness(i, k, row_height); });
   m.all_solid_from = fractions_.fill(wide_heights_, first_row, m.phi);
@@ -158,7 +183,7 @@ std::int64_t ReferenceMap::find_strain(Material& m, int first_row, const PlaneRe
   return strain_.run(strain_of(m.displacement, grid_), std::as_const(m.phi).view(), first_row,
                      {m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(),
                       m.B.yz.view(), volume_error_.view()},
-                     ready);
+                     damage_, ready);
 }
 
 }  // namespace softwall::solid::reference_map

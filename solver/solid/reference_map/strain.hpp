@@ -19,9 +19,8 @@ namespace softwall::solid::reference_map {
 using grid::Real;
 using grid::View;
 
-/// det A below or above them: only a displacement torn apart by the grid gets there. What is below is taken
-/// for kLeastVolume; above, B is too small.
-inline constexpr Real kLeastVolume = 0.1, kLargestVolume = 20;
+/// A smaller det A, which only a displacement torn apart by the grid has, is taken for this.
+inline constexpr Real kLeastVolume = 0.1;
 
 /// A = I - grad(d) at one point; xy is -d(d_x)/dy.
 struct MapGradient {
@@ -75,6 +74,13 @@ struct MapGradient {
                      e2 * (ratio(14, 9) + ratio(140, 81) * e +
                            e2 * (ratio(455, 243) + ratio(1456, 729) * e + e2 * ratio(13832, 6561)));
   return r2 * r2 * power;
+}
+
+/// No component of B is larger: where a map is torn, its stress must not end the run.
+inline constexpr Real kLargestStretch = 50;
+[[gnu::always_inline]] inline Real bounded(Real component) {
+  const Real less = component < kLargestStretch ? component : kLargestStretch;
+  return less > -kLargestStretch ? less : -kLargestStretch;
 }
 
 /// B at a point where A is known.

@@ -13,12 +13,12 @@ template <class Kernel>
   for (int i = first; i < end; ++i) kernel(i);
 }
 
-/// With any solid in them, of n cells side by side.
-std::int64_t torn_cells(const Real* phi, const Real* J, int n) {
-  std::int64_t torn = 0;
-#pragma omp simd reduction(+ : torn)
-  for (int i = 0; i < n; ++i) torn += phi[i] > 0 && (J[i] < kLeastVolume || J[i] > kLargestVolume) ? 1 : 0;
-  return torn;
+/// Number of cells, among n side by side, whose damage exceeds `least` or is whole.
+int cells_with(const Real* damage, int n, Real least) {
+  int cells = 0;
+#pragma omp simd reduction(+ : cells)
+  for (int i = 0; i < n; ++i) cells += damage[i] > least || damage[i] == 1 ? 1 : 0;
+  return cells;
 }
 
 /// Element 0 of a row is that of column 0; a line of the cache before it holds that of column -1.
@@ -37,7 +37,6 @@ StrainSweep::StrainSweep(const Grid& g) : nx_(g.nx), ny_(g.ny), nz_(g.nz) {
       for (Row* r : {&means->xx, &means->yy, &means->zz, &means->xz, &means->zx}) r->resize(length);
     }
   }
-  determinant_.resize(length);
   for (FaceRow* row : {&low_, &high_}) {
     for (auto* halves : {&row->to_center, &row->to_xz}) {
       for (Row* r : {&halves->xy, &halves->yx, &halves->yz, &halves->zy}) r->resize(length);
@@ -46,7 +45,7 @@ StrainSweep::StrainSweep(const Grid& g) : nx_(g.nx), ny_(g.ny), nz_(g.nz) {
 }
 
 std::int64_t StrainSweep::run(const Strain& strain, View<const Real> phi, int first_row,
-                              const StrainFields& to, const PlaneReady& ready) {
+                              const StrainFields& to, Damage& damage, const PlaneReady& ready) {
   std::int64_t torn = 0;
   for (int k = -1; k <= nz_; ++k) {
     const bool has_centers = k < nz_, has_edges = k >= 0;
@@ -62,8 +61,11 @@ std::int64_t StrainSweep::run(const Strain& strain, View<const Real> phi, int fi
       if (j == ny_) break;
       average(high_, strain, j + 1, k);
       if (has_centers) {
-        const Real* const J = centers(strain, phi, j, k, to);
-        if (has_edges) torn += torn_cells(&phi(0, j, k), J, nx_);
+        centers(strain, phi, j, k, to, damage);
+        const Real* const row = &damage.view()(0, j, k);
+        const bool any = cells_with(row - 1, nx_ + 1, 0) > 0;
+        damage.set_row(j, k, any);
+        if (any && has_edges) torn += cells_with(row, nx_, 1);
       }
       if (has_edges) edges_xz(strain, j, k, to.xz);
       std::swap(low_, high_);
@@ -121,10 +123,9 @@ void StrainSweep::average(FaceRow& row, const Strain& s, int j, int k) const {
   });
 }
 
-/// Returns det A of the row, valid until the next one.
-const Real* StrainSweep::centers(const Strain& s, View<const Real> phi, int j, int k,
-                                 const StrainFields& to) {
-  Real* const determinant = first(determinant_);
+void StrainSweep::centers(const Strain& s, View<const Real> phi, int j, int k, const StrainFields& to,
+                          Damage& damage) {
+  const auto worn = damage.view();
   const auto x = s.x, y = s.y, z = s.z;
   const auto &a = low_.to_center, &b = high_.to_center;
   const Real *const xy0 = first(a.xy), *const xy1 = first(b.xy), *const yx0 = first(a.yx),
@@ -142,13 +143,13 @@ const Real* StrainSweep::centers(const Strain& s, View<const Real> phi, int j, i
                         zy0[i] + zy1[i],
                         1 - inv_dz * (z(i, j, k + 1) - z(i, j, k))};
     const Real J = A.determinant(), factor = volume_factor(J);
-    determinant[i] = J;
     to.volume_error(i, j, k) = volume_error(phi(i, j, k), J);
-    to.xx(i, j, k) = factor * A.square_x();
-    to.yy(i, j, k) = factor * A.square_y();
-    to.zz(i, j, k) = factor * A.square_z();
+    const Real xx = factor * A.square_x(), yy = factor * A.square_y(), zz = factor * A.square_z();
+    worn(i, j, k) = damage_of(phi(i, j, k), J, xx + yy + zz);
+    to.xx(i, j, k) = bounded(xx);
+    to.yy(i, j, k) = bounded(yy);
+    to.zz(i, j, k) = bounded(zz);
   });
-  return determinant;
 }
 
 void StrainSweep::edges_xz(const Strain& s, int j, int k, View<Real> to) const {
@@ -172,7 +173,7 @@ void StrainSweep::edges_xz(const Strain& s, int j, int k, View<Real> to) const {
         -inv_dx * (z(i, j, k) - z(i - 1, j, k)),
         zy0[i] + zy1[i],
         1 - in_z * (z(i, j, k + 1) - z(i, j, k - 1) + (z(i - 1, j, k + 1) - z(i - 1, j, k - 1)))};
-    to(i, j, k) = volume_factor(A.determinant()) * A.product_xz();
+    to(i, j, k) = bounded(volume_factor(A.determinant()) * A.product_xz());
   });
 }
 
@@ -197,7 +198,7 @@ void StrainSweep::edges_xy(const Strain& s, int j, int k, View<Real> to) const {
                         zx0[i] + up * (zx1[i] - zx0[i]),
                         -in_y * rise,
                         zz0[i] + up * (zz1[i] - zz0[i])};
-    to(i, j, k) = volume_factor(A.determinant()) * A.product_xy();
+    to(i, j, k) = bounded(volume_factor(A.determinant()) * A.product_xy());
   });
 }
 
@@ -222,7 +223,7 @@ void StrainSweep::edges_yz(const Strain& s, int j, int k, View<Real> to) const {
                         zx0[i] + up * (zx1[i] - zx0[i]),
                         -inv_dy * (z(i, j, k) - z(i, j - 1, k)),
                         zz0[i] + up * (zz1[i] - zz0[i])};
-    to(i, j, k) = volume_factor(A.determinant()) * A.product_yz();
+    to(i, j, k) = bounded(volume_factor(A.determinant()) * A.product_yz());
   });
 }
 

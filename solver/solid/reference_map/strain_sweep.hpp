@@ -4,6 +4,7 @@
 
 #include "solver/parallel/line_memory.hpp"
 #include "solver/solid/formulation.hpp"
+#include "solver/solid/reference_map/mending.hpp"
 #include "solver/solid/reference_map/strain.hpp"
 #include "solver/solid/reference_map/volume.hpp"
 
@@ -27,10 +28,9 @@ class StrainSweep {
 
   /// Rows first_row <= j < ny, xy and yz edges on the upper wall, too; and what borders on this rank's cells:
   /// centers one column and plane before them, edges on their high sides. Returns the number of this rank's
-  /// torn cells: with any solid in them and det A beyond its bounds. ready: when the next plane is found,
-  /// too.
+  /// torn cells. ready: when the next plane is found, too.
   std::int64_t run(const Strain& strain, View<const Real> phi, int first_row, const StrainFields& to,
-                   const PlaneReady& ready);
+                   Damage& damage, const PlaneReady& ready);
 
  private:
   using Row = parallel::LineVector<Real>;
@@ -49,7 +49,8 @@ class StrainSweep {
 
   void average(CellRow& row, const Strain& strain, int j, int k) const;
   void average(FaceRow& row, const Strain& strain, int j, int k) const;
-  const Real* centers(const Strain& strain, View<const Real> phi, int j, int k, const StrainFields& to);
+  void centers(const Strain& strain, View<const Real> phi, int j, int k, const StrainFields& to,
+               Damage& damage);
   void edges_xz(const Strain& strain, int j, int k, View<Real> to) const;
   void edges_xy(const Strain& strain, int j, int k, View<Real> to) const;
   void edges_yz(const Strain& strain, int j, int k, View<Real> to) const;
@@ -57,7 +58,6 @@ class StrainSweep {
   int nx_, ny_, nz_;
   CellRow below_, above_;  ///< the face whose edges are found next
   FaceRow low_, high_;     ///< sides of the row of cells that is found next
-  Row determinant_;        ///< det A of a row of cells
 };
 
 }  // namespace softwall::solid::reference_map

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 
 #include "solver/grid/cell_loop.hpp"
 
@@ -84,6 +85,12 @@ double Heights::lowest() const {
   double lowest = grid_.y_face[grid_.ny];
   for (int k = 0; k < grid_.nz; ++k) lowest = std::min(lowest, *std::min_element(row(k), row(k) + grid_.nx));
   return lowest;
+}
+
+double Heights::sum() const {
+  double sum = 0;
+  for (int k = 0; k < grid_.nz; ++k) sum = std::accumulate(row(k), row(k) + grid_.nx, sum);
+  return sum;
 }
 
 CellFractions::CellFractions(const Grid& grid) : grid_(grid) {

@@ -33,8 +33,9 @@ class Heights {
   /// Follows every column down from the upper wall to where y - d_y first falls to `at_rest`, linear between
   /// faces; where it never does, the solid reaches the lower wall. `displacement`: d_y on y faces.
   void find(const grid::Field& displacement, double at_rest);
-  /// The lowest over this rank's own columns.
+  /// The lowest over this rank's own columns, and the sum over them.
   [[nodiscard]] double lowest() const;
+  [[nodiscard]] double sum() const;
 
  private:
   [[nodiscard]] std::ptrdiff_t offset(int k) const { return std::ptrdiff_t(k + ghost_) * stride_ + ghost_; }

@@ -10,16 +10,26 @@ namespace {
 /// the negative real axis, 4 (K_x dt / dx^2 + ...) < 2.51.
 constexpr double kMostInAStep = 0.15;
 
+/// In which the volume of the whole solid is restored, h/U_b.
+constexpr double kRestoringTime = 0.1;
+
 Real speed(double dt, double spacing) { return Real(std::min(1.0, kMostInAStep * spacing / dt)); }
 
 }  // namespace
 
-RelaxationSpeeds::RelaxationSpeeds(const Grid& grid) : grid_(grid), y_(static_cast<std::size_t>(grid.ny)) {}
+RelaxationSpeeds::RelaxationSpeeds(const Grid& grid)
+    : grid_(grid), y_(static_cast<std::size_t>(grid.ny)), even_(y_.size()) {}
 
 void RelaxationSpeeds::set(double dt) {
   x_ = speed(dt, grid_.dx);
   z_ = speed(dt, grid_.dz);
   for (int j = 0; j < grid_.ny; ++j) y_[static_cast<std::size_t>(j)] = speed(dt, grid_.dy_face[j]);
+}
+
+void RelaxationSpeeds::restore_volume(double dt, double at_rest, double excess) {
+  const double wall = grid_.y_face[grid_.ny], rate = excess / std::max(kRestoringTime, dt);
+  for (int j = 0; j < grid_.ny; ++j)
+    even_[static_cast<std::size_t>(j)] = Real(rate * (wall - grid_.y_face[j]) / (wall - at_rest));
 }
 
 }  // namespace softwall::solid::reference_map

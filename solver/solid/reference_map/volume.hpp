@@ -15,28 +15,38 @@
 ///
 /// det A - 1 counts in full cells; outside them it is zero. Weighted with phi in partly filled cells instead
 /// it drove waves of the surface: what stands there is extrapolated, and its errors go with phi.
+///
+/// That diffusion cannot restore the volume of the whole solid, which transport changes, too: by 0.1 % in a
+/// unit of time where waves are steep. So the layer as a whole is stretched or compressed evenly, as fast as
+/// its volume departs from that at rest, by less than that in a unit of time:
+///   dd_y/dt = ... - (mean height of the surface - height at rest) / kRestoringTime
+///                   (y_wall - y) / thickness of the layer
 namespace softwall::solid::reference_map {
 
 using grid::Grid;
 using grid::Real;
 using grid::View;
 
-/// K_i / spacing, U_b.
+/// K_i / spacing, and the speed at which the whole layer is stretched; U_b.
 class RelaxationSpeeds {
  public:
   explicit RelaxationSpeeds(const Grid& grid);
   /// For steps of length dt.
   void set(double dt);
+  /// `excess`: mean height of the surface less its height at rest; both h.
+  void restore_volume(double dt, double at_rest, double excess);
 
   [[nodiscard]] Real x() const { return x_; }
   [[nodiscard]] Real z() const { return z_; }
   /// Across y face j: element j.
   [[nodiscard]] const Real* y() const { return y_.data(); }
+  /// Of the layer's even stretching, at y face j: element j.
+  [[nodiscard]] const Real* even() const { return even_.data(); }
 
  private:
   const Grid& grid_;
   Real x_ = 0, z_ = 0;
-  std::vector<Real> y_;
+  std::vector<Real> y_, even_;
 };
 
 /// Errors beyond it count as if they were this large: they belong to a map that is torn.
@@ -55,14 +65,18 @@ inline constexpr Real kLargestVolumeError = 0.5;
 struct VolumeRelaxation {
   View<const Real> error;
   Real speed_x, speed_z;
-  const Real* speed_y;
+  const Real *speed_y, *even;
 
   VolumeRelaxation(const RelaxationSpeeds& speeds, const grid::Field& volume_error)
-      : error(volume_error.view()), speed_x(speeds.x()), speed_z(speeds.z()), speed_y(speeds.y()) {}
+      : error(volume_error.view()),
+        speed_x(speeds.x()),
+        speed_z(speeds.z()),
+        speed_y(speeds.y()),
+        even(speeds.even()) {}
 
   [[nodiscard]] Real x(int i, int j, int k) const { return speed_x * (error(i, j, k) - error(i - 1, j, k)); }
   [[nodiscard]] Real y(int i, int j, int k) const {
-    return speed_y[j] * (error(i, j, k) - error(i, j - 1, k));
+    return speed_y[j] * (error(i, j, k) - error(i, j - 1, k)) + even[j];
   }
   [[nodiscard]] Real z(int i, int j, int k) const { return speed_z * (error(i, j, k) - error(i, j, k - 1)); }
 };

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <set>
 
-#include "campaign/estimate.hpp"
-#include "campaign/expand.hpp"
+#include "campaign/core/campaign_file.hpp"
+#include "campaign/core/estimate.hpp"
 
 /// The campaign files of the project in runs/ are accepted and mean the paper's cases.
 namespace softwall::campaign {
@@ -24,7 +24,7 @@ TEST(CommittedCampaigns, AreThere) { EXPECT_GE(committed_campaigns().size(), 3U)
 TEST(CommittedCampaigns, HaveThePapersSevenCases) {
   const std::set<std::pair<double, double>> wanted{{0.5, 1}, {1, 1}, {2, 1}, {4, 1}, {1, 0.1}, {1, 10}};
   for (const auto& file : committed_campaigns()) {
-    const Campaign campaign = expand(read_campaign(file));
+    const Campaign campaign = read_campaign(file);
     std::set<std::pair<double, double>> found;
     for (const auto& c : campaign.cases)
       if (c.definition.physics.solid)

@@ -1,4 +1,4 @@
-#include "campaign/estimate.hpp"
+#include "campaign/core/estimate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -64,6 +64,15 @@ TEST(Estimate, CostIsStepsTimesCellsTimesSpeed) {
   EXPECT_NEAR(whole.core_hours, 5000.0 * 48 * 80 * 48 * 500e-9 / 3600, 1e-12);
   EXPECT_NEAR(estimate(c, 500.0, 25.0).core_hours, whole.core_hours / 2, 1e-9);
   EXPECT_EQ(estimate(c, 500.0, 60.0).core_hours, 0.0);
+}
+
+TEST(Estimate, StepsOfATenthMakeOne) {
+  Case c = elastic_case();
+  c.physics.time_step.fixed_dt = 0.1;
+  c.run.end_time = 1;
+  EXPECT_EQ(estimate(c, 500.0).steps, 10.0);
+  EXPECT_EQ(estimate(c, 500.0, 0.7999999999999999).steps, 2.0);
+  EXPECT_EQ(estimate(c, 500.0, 0.9999999999999999).steps, 0.0);
 }
 
 TEST(Estimate, SpeedsAssumedArePlausible) {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "campaign/expand.hpp"
+#include "campaign/core/campaign_file.hpp"
 #include "solver/case/bad_input.hpp"
 
 /// Valid campaign files to start from, and small helpers, for tests.
@@ -18,8 +18,7 @@ inline nlohmann::json elastic_campaign() {
     "run": {"end_time": 50, "checkpoint_steps": 10}})");
 }
 
-inline CampaignSpec spec_of(const nlohmann::json& document) { return parse_campaign(document.dump()); }
-inline Campaign campaign_of(const nlohmann::json& document) { return expand(spec_of(document)); }
+inline Campaign campaign_of(const nlohmann::json& document) { return parse_campaign(document.dump()); }
 
 /// What is said against a document; empty when it is accepted.
 inline std::string complaint_about(const nlohmann::json& document) {

@@ -1,4 +1,4 @@
-#include "campaign/plan.hpp"
+#include "campaign/core/plan.hpp"
 
 #include <gtest/gtest.h>
 

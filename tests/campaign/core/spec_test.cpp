@@ -1,7 +1,8 @@
-#include "campaign/spec.hpp"
+#include "campaign/core/spec.hpp"
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 
 #include "solver/case/case_schema.hpp"
@@ -13,7 +14,8 @@ namespace {
 using nlohmann::json;
 using tests::complaint_about;
 using tests::elastic_campaign;
-using tests::spec_of;
+
+CampaignSpec spec_of(const json& document) { return check_spec(document.dump(), "campaign").spec; }
 
 TEST(Spec, FillsWhatIsItsOwn) {
   const CampaignSpec spec = spec_of(elastic_campaign());
@@ -58,6 +60,42 @@ TEST(Spec, CoresMustHoldTheRanks) {
   EXPECT_EQ(message.find("/execution/ranks"), std::string::npos) << message;
 }
 
+void collect_numbers(const json& node, const std::string& at, std::map<std::string, json>& found) {
+  const json members = node.value("properties", json::object());
+  for (const auto& [key, child] : members.items()) {
+    const json type = child.value("type", json());
+    if (type == "number" || type == "integer") found[at + "/" + key] = child;
+    collect_numbers(child, at + "/" + key, found);
+  }
+}
+
+TEST(Spec, EveryNumberHasALargestValue) {
+  std::map<std::string, json> numbers;
+  collect_numbers(*campaign_schema().part(json::json_pointer()), "", numbers);
+  EXPECT_GT(numbers.size(), 30u);
+  for (const auto& [pointer, node] : numbers) EXPECT_TRUE(node.contains("maximum")) << pointer;
+}
+
+TEST(Spec, RefusesNumbersThatTheProgramsCannotHold) {
+  json document = elastic_campaign();
+  document["execution"]["walltime_seconds"] = 1e19;
+  document["physics"]["statistics"]["interval_steps"] = 4294967297;
+  document["run"]["end_time"] = 1e300;
+  const std::string message = complaint_about(document);
+  for (const char* part : {"/execution/walltime_seconds: 1e+19",
+                           "/physics/statistics/interval_steps: 4294967297", "/run/end_time: 1e+300"})
+    EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
+}
+
+TEST(Spec, RanksOfAPrecursorNeedOne) {
+  json document = elastic_campaign();
+  document["execution"] = {{"ranks", 2}, {"precursor_ranks", 2}};
+  EXPECT_EQ(complaint_about(document), "");
+  document.erase("precursor");
+  EXPECT_NE(complaint_about(document).find("/execution/precursor_ranks: 2; has no effect"),
+            std::string::npos);
+}
+
 /// The campaign's schema must know every parameter of a case that a person sets.
 TEST(Spec, SchemaCoversTheCase) {
   const json& physics = *case_schema().part(json::json_pointer("/physics"));
@@ -95,7 +133,7 @@ TEST(Spec, DamagedTextGivesOneMessage) {
       if (damaged.empty()) damaged = "x";
     }
     try {
-      EXPECT_FALSE(expand(parse_campaign(damaged)).cases.empty());
+      EXPECT_FALSE(parse_campaign(damaged).cases.empty());
     } catch (const BadInput& error) {
       EXPECT_FALSE(error.mistakes.empty());
     }

@@ -1,8 +1,8 @@
-#include "campaign/sweep.hpp"
+#include "campaign/core/sweep.hpp"
 
 #include <gtest/gtest.h>
 
-#include "campaign/parameters.hpp"
+#include "campaign/core/parameters.hpp"
 #include "tests/campaign/core/examples.hpp"
 
 namespace softwall::campaign {
@@ -95,14 +95,6 @@ TEST(Sweep, ExplosionsAreRefusedBeforeTheyHappen) {
   EXPECT_TRUE(sweep_mistakes(wide).empty());  // exactly the limit
   wide["list"].push_back({{"G", 500}});
   EXPECT_EQ(sweep_mistakes(wide).size(), 1U);
-}
-
-TEST(Sweep, ExclusionsLookAtTheWholeCase) {
-  const json physics = json::parse(R"({"solid": {"G": 1, "viscosity_ratio": 1}, "reynolds": 2800})");
-  EXPECT_TRUE(is_excluded(json::parse(R"([{"G": 2}, {"G": 1.0, "reynolds": 2800}])"), physics));
-  EXPECT_FALSE(is_excluded(json::parse(R"([{"G": 1, "reynolds": 3000}])"), physics));
-  EXPECT_FALSE(is_excluded(json::parse(R"([{"fixed_dt": 1}])"), physics));
-  EXPECT_FALSE(is_excluded(json::array(), physics));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "campaign/campaign_lock.hpp"
+#include "campaign/runner/campaign_lock.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/process_identity.hpp"
-#include "solver/case/build_info.hpp"
-#include "tests/campaign/runner/child_process.hpp"
-#include "tests/campaign/runner/temporary_folder.hpp"
+#include "campaign/system/process_identity.hpp"
+#include "solver/run_directory/build_info.hpp"
+#include "tests/support/child_process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -87,7 +87,7 @@ TEST(CampaignLock, IsNotKeptByAProgramTheHolderStarted) {
   });
   // exec closes what must not be inherited; wait until it has happened
   const std::string link = "/proc/" + std::to_string(solver.pid()) + "/exe";
-  for (int i = 0; i < 200 && std::filesystem::read_symlink(link).filename() == "test_campaign_runner"; ++i) {
+  for (int i = 0; i < 200 && std::filesystem::read_symlink(link).filename() == "campaign_runner_tests"; ++i) {
     usleep(10000);
   }
   lock.reset();

@@ -5,24 +5,37 @@
 #include <utility>
 #include <vector>
 
-#include "campaign/launcher.hpp"
+#include "campaign/launch/launcher.hpp"
 
 namespace softwall::test {
 
+/// A launcher of which a test says only what matters to it: nothing is ever found that it has not started.
+class LauncherWithoutMemory : public campaign::Launcher {
+ public:
+  void prepare(const std::filesystem::path&) override {}
+  bool adopt(const campaign::LaunchRequest&, const campaign::Handle&) override { return false; }
+  [[nodiscard]] campaign::Presence presence(const std::filesystem::path&,
+                                            const campaign::Handle&) const override {
+    return campaign::Presence::kGone;
+  }
+  void clean_up(const std::filesystem::path&) override {}
+  [[nodiscard]] std::optional<int> capacity() const override { return 2; }
+};
+
 /// Attempts that are over as soon as they are asked about: `play` writes what the solver would have left and
 /// returns its exit status.
-class FakeLauncher final : public campaign::Launcher {
+class FakeLauncher final : public LauncherWithoutMemory {
  public:
   using Play = std::function<int(const campaign::LaunchRequest&)>;
   explicit FakeLauncher(Play play) : play_(std::move(play)) {}
 
-  campaign::ProcessIdentity start(const campaign::LaunchRequest& request) override {
+  campaign::Handle start(const campaign::LaunchRequest& request) override {
     running.push_back(request);
     started.push_back(request);
     int ranks = 0;
     for (const campaign::LaunchRequest& one : running) ranks += one.ranks;
     most_ranks = std::max(most_ranks, ranks);
-    return campaign::this_process();
+    return "attempt " + std::to_string(request.attempt);
   }
   std::vector<campaign::EndedAttempt> collect() override {
     std::vector<campaign::EndedAttempt> ended;
@@ -31,13 +44,14 @@ class FakeLauncher final : public campaign::Launcher {
     }
     return ended;
   }
-  void stop(const std::string& case_id, campaign::StopLevel level) override {
-    stops.emplace_back(case_id, level);
+  void stop(const std::filesystem::path&, const campaign::Handle& handle,
+            campaign::StopLevel level) override {
+    stops.emplace_back(handle, level);
   }
   [[nodiscard]] bool idle() const override { return running.empty(); }
 
   std::vector<campaign::LaunchRequest> running, started;
-  std::vector<std::pair<std::string, campaign::StopLevel>> stops;
+  std::vector<std::pair<campaign::Handle, campaign::StopLevel>> stops;
   int most_ranks = 0;
 
  private:

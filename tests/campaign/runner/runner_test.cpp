@@ -1,19 +1,22 @@
-#include "campaign/runner.hpp"
+#include "campaign/runner/runner.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <thread>
+#include <utility>
 
-#include "analysis/statistics_file.hpp"
-#include "campaign/observe.hpp"
-#include "solver/case/exit_codes.hpp"
+#include "campaign/observe/observe.hpp"
+#include "solver/run_directory/exit_codes.hpp"
+#include "solver/run_directory/statistics_file.hpp"
 #include "tests/analysis/samples.hpp"
 #include "tests/campaign/core/examples.hpp"
+#include "tests/campaign/observe/run_directory_files.hpp"
 #include "tests/campaign/runner/fake_launcher.hpp"
-#include "tests/campaign/runner/run_directory_files.hpp"
-#include "tests/campaign/runner/temporary_folder.hpp"
+#include "tests/campaign/store/examples.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -48,7 +51,7 @@ class RunnerTest : public ::testing::Test {
     return kDone;
   }
 
-  RunnerReport run(FakeLauncher& launcher, RunnerOptions options = {}) {
+  RunnerReport run(Launcher& launcher, RunnerOptions options = {}) {
     options.poll = std::chrono::milliseconds(1);
     Signals signals;
     Progress progress("");
@@ -90,6 +93,69 @@ TEST_F(RunnerTest, NeverUsesMoreCoresThanAllowed) {
   FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
   run(launcher);
   EXPECT_EQ(launcher.most_ranks, 2);
+}
+
+/// A database browser that holds results.db for longer than SQLite waits by itself must not end a campaign.
+TEST_F(RunnerTest, WaitsForAStoreThatAnotherProgramHolds) {
+  { static_cast<void>(Store::open(folder_.path(), OpenMode::kCreate)); }
+  Connection browser = Connection::open(store_path(folder_.path()), Access::kReadWrite);
+  std::thread holder;
+  FakeLauncher launcher([&](const LaunchRequest& request) {
+    if (request.case_id == id(0)) {
+      browser.execute("BEGIN IMMEDIATE");
+      holder = std::thread([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(11500));
+        browser.execute("COMMIT");
+      });
+    }
+    return finish(request);
+  });
+  const RunnerReport report = run(launcher);
+  holder.join();
+  EXPECT_EQ(report.finished, 5U);
+  EXPECT_EQ(store().past_attempts(id(0)).size(), 1U);
+}
+
+TEST_F(RunnerTest, PausesWhenTheStoreCannotBeWritten) {
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  Signals signals;
+  Progress progress("");
+  Store full = Store::open(folder_.path(), OpenMode::kCreate);
+  full.record_campaign(campaign_);
+  // As on a full disk: no page may be added.
+  full.connection().execute("PRAGMA max_page_count = " +
+                            std::to_string(full.connection().integer("PRAGMA page_count")));
+  RunnerOptions options;
+  options.poll = std::chrono::milliseconds(1);
+  campaign_.spec_text = std::string(100000, ' ');
+  EXPECT_THROW(Runner(campaign_, folder_.path(), {launcher, full, progress, signals}, options).run(),
+               SqliteError)
+      << "before anything is started, the error is the answer";
+  campaign_.spec_text.clear();
+  Runner runner(campaign_, folder_.path(), {launcher, full, progress, signals}, options);
+  const RunnerReport report = runner.run();
+  EXPECT_LT(report.finished, 5U);
+  ASSERT_FALSE(report.unfinished.empty());
+  EXPECT_TRUE(report.failed.empty());
+  EXPECT_NE(report.unfinished.back().reason.find("cannot be written"), std::string::npos);
+  EXPECT_EQ(run(launcher).finished, 5U) << "and goes on when there is room";
+}
+
+TEST_F(RunnerTest, ANewStoreKnowsTheAttemptsOfTheOldOne) {
+  bool first = true;
+  FakeLauncher launcher([&](const LaunchRequest& request) {
+    if (request.case_id == id(2) && std::exchange(first, false)) return 139;
+    return finish(request);
+  });
+  run(launcher);
+  ASSERT_EQ(store().past_attempts(id(2)).size(), 2U);
+  for (const char* suffix : {"", "-wal", "-shm"})
+    std::filesystem::remove(store_path(folder_.path()).string() + suffix);
+  run(launcher);
+  const auto past = store().past_attempts(id(2));
+  ASSERT_EQ(past.size(), 2U);
+  EXPECT_EQ(past[0].end.exit_code, 139);
+  EXPECT_EQ(past[1].end.outcome, AttemptOutcome::kFinished);
 }
 
 TEST_F(RunnerTest, RunningAgainKeepsWhatIsFinished) {
@@ -208,7 +274,7 @@ TEST_F(RunnerTest, ALostStoreIsMadeAgainFromTheRunDirectories) {
   FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
   run(launcher);
   for (const char* suffix : {"", "-wal", "-shm"}) {
-    std::filesystem::remove(Store::path_in(folder_.path()).string() + suffix);
+    std::filesystem::remove(store_path(folder_.path()).string() + suffix);
   }
   FakeLauncher none([](const LaunchRequest&) { return 1; });
   EXPECT_EQ(run(none).finished, 5U);
@@ -245,17 +311,17 @@ TEST_F(RunnerTest, FinishedWithoutStatisticsIsTold) {
 }
 
 /// An attempt that never makes a step and ends only when it is killed.
-class HangingLauncher final : public Launcher {
+class HangingLauncher final : public test::LauncherWithoutMemory {
  public:
-  ProcessIdentity start(const LaunchRequest& request) override {
+  Handle start(const LaunchRequest& request) override {
     running_.push_back(request.case_id);
-    return this_process();
+    return request.case_id;
   }
   std::vector<EndedAttempt> collect() override { return std::exchange(ended_, {}); }
-  void stop(const std::string& case_id, StopLevel level) override {
+  void stop(const std::filesystem::path&, const Handle& handle, StopLevel level) override {
     asked.push_back(level);
-    if (level != StopLevel::kKill || std::erase(running_, case_id) == 0) return;
-    ended_.push_back({case_id, 137});
+    if (level != StopLevel::kKill || std::erase(running_, handle) == 0) return;
+    ended_.push_back({handle, 137});
   }
   [[nodiscard]] bool idle() const override { return running_.empty() && ended_.empty(); }
   std::vector<StopLevel> asked;
@@ -277,9 +343,9 @@ TEST_F(RunnerTest, AHangingAttemptIsEndedMoreAndMoreFirmlyAndCountedAsStalled) {
   const auto report =
       Runner(campaign_, folder_.path(), {launcher, results, progress, signals}, options).run();
   EXPECT_EQ(report.failed.size(), 5U);
-  const auto history = results.attempt_history(id(0));
-  ASSERT_EQ(history.size(), 2U);
-  EXPECT_EQ(history[0].outcome, "stalled");
+  EXPECT_EQ(
+      tests::answer(results, "SELECT group_concat(outcome) FROM attempts WHERE case_id = '" + id(0) + "'"),
+      "stalled,stalled");
   const std::vector<StopLevel> ladder = {StopLevel::kCheckpoint, StopLevel::kTerminate, StopLevel::kKill};
   EXPECT_EQ(std::vector(launcher.asked.begin(), launcher.asked.begin() + 3), ladder);
 }

@@ -1,10 +1,10 @@
-#include "campaign/backup.hpp"
+#include "campaign/store/backup.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/campaign/runner/temporary_folder.hpp"
 #include "tests/campaign/store/examples.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign::tests {
 namespace {
@@ -16,22 +16,23 @@ TEST(BackupTest, OfALiveStoreIsAWholeStore) {
   Store live = Store::open(folder.path(), OpenMode::kCreate);
   live.record_campaign(paper_campaign());  // still in the write-ahead log
   std::filesystem::create_directory(folder.path() / "copy");
-  backup_store(folder.path(), folder.path() / "copy" / "results.db");
-  live.set_state(live.cases().front().case_id, CaseState::kFinished, "later");
+  backup_connection(live.connection(), folder.path() / "copy" / "results.db");
+  live.set_state(paper_campaign().cases.front().definition.id, CaseState::kFinished, "later");
 
   Store copy = Store::open(folder.path() / "copy", OpenMode::kReadWrite);
-  EXPECT_EQ(copy.cases().size(), 7U);
-  EXPECT_EQ(copy.cases().front().state, CaseState::kNew);
+  EXPECT_EQ(answer(copy, "SELECT count(*) FROM cases WHERE state = 'new'"), "7");
   EXPECT_EQ(answer(copy, "PRAGMA integrity_check"), "ok");
 }
 
 TEST(BackupTest, ReplacesNoFile) {
   test::TemporaryFolder folder;
-  Store::open(folder.path(), OpenMode::kCreate).record_campaign(paper_campaign());
+  Store store = Store::open(folder.path(), OpenMode::kCreate);
+  store.record_campaign(paper_campaign());
   const auto taken = folder.write("taken.db", "precious");
-  EXPECT_THAT(refusal([&] { backup_store(folder.path(), taken); }), HasSubstr("exists already"));
+  EXPECT_THAT(refusal([&] { backup_connection(store.connection(), taken); }), HasSubstr("exists already"));
   EXPECT_EQ(std::filesystem::file_size(taken), 8U);
-  EXPECT_THROW(backup_store(folder.path(), folder.path() / "no" / "such" / "folder.db"), std::system_error);
+  EXPECT_THROW(backup_connection(store.connection(), folder.path() / "no" / "such" / "folder.db"),
+               std::system_error);
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include <random>
 #include <thread>
 
-#include "campaign/store_file.hpp"
-#include "tests/campaign/runner/child_process.hpp"
-#include "tests/campaign/runner/temporary_folder.hpp"
+#include "campaign/store/store_file.hpp"
 #include "tests/campaign/store/examples.hpp"
+#include "tests/support/child_process.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 /// What was acknowledged is there: after kill -9 at any moment, and when the disk is full.
 namespace softwall::campaign::tests {
@@ -87,7 +87,7 @@ TEST_P(KillTest, LosesNoAcknowledgedRow) {
                      "SELECT count(*) FROM attempts a WHERE (ended IS NOT NULL) <> (2 = (SELECT count(*)"
                      " FROM diagnostics d WHERE d.attempt = a.attempt AND abs(d.value) = a.attempt))"),
               "0");
-    for (const AttemptRecord& open : store.open_attempts())
+    for (const OpenAttempt& open : store.open_attempts())
       store.end_attempt(id, open.attempt, [&] {
         AttemptEnd end = failed_at(open.attempt);
         end.diagnostics = {{"a", open.attempt}, {"b", -open.attempt}};
@@ -120,16 +120,16 @@ TEST(CreationTest, OfTwentyAtOnceAllGetTheSameStore) {
   std::vector<std::unique_ptr<test::ChildProcess>> makers;
   for (int i = 0; i < 20; ++i) {
     makers.push_back(std::make_unique<test::ChildProcess>([&folder, &campaign, i] {
-      return refusal([&] {
-               Store store = Store::open(folder.path(), OpenMode::kCreate);
-               store.record_case(campaign.cases[static_cast<std::size_t>(i) % 7]);
-             }) == ""
-                 ? 0
-                 : 1;
+      const std::string why = refusal([&] {
+        Store store = Store::open(folder.path(), OpenMode::kCreate);
+        store.record_campaign(campaign_with(campaign.cases[static_cast<std::size_t>(i) % 7]));
+      });
+      std::fputs(why.c_str(), stderr);
+      return why.empty() ? 0 : 1;
     }));
   }
   for (auto& maker : makers) EXPECT_EQ(maker->wait(), 0);
-  EXPECT_EQ(Store::open(folder.path(), OpenMode::kReadOnly).cases().size(), 7U);
+  EXPECT_EQ(number_of_cases(Store::open(folder.path(), OpenMode::kReadOnly)), 7U);
 }
 
 /// Fills the store until it is refused; returns the attempts that were acknowledged.

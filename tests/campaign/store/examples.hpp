@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "campaign/query.hpp"
-#include "campaign/store.hpp"
+#include "campaign/store/query.hpp"
+#include "campaign/store/store.hpp"
 #include "tests/campaign/core/examples.hpp"
 
 /// A small campaign, a result, and short ways to ask the store, for tests.
@@ -51,6 +51,18 @@ inline AttemptEnd failed_at(std::int64_t step) {
 inline std::string answer(Store& store, const std::string& sql) {
   Statement rows = store.connection().prepare(sql);
   return rows.step() ? rows.text(0) : "(no row)";
+}
+
+inline std::size_t number_of_cases(Store store) {
+  return std::stoul(answer(store, "SELECT count(*) FROM cases"));
+}
+
+/// A campaign of this one case.
+inline Campaign campaign_with(const CampaignCase& only) {
+  Campaign campaign;
+  campaign.name = "one case";
+  campaign.cases = {only};
+  return campaign;
 }
 
 /// What an action is refused with; empty when it is not.

@@ -1,10 +1,10 @@
-#include "campaign/query.hpp"
+#include "campaign/store/query.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/campaign/runner/temporary_folder.hpp"
 #include "tests/campaign/store/examples.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign::tests {
 namespace {

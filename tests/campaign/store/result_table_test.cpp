@@ -1,4 +1,4 @@
-#include "campaign/result_table.hpp"
+#include "campaign/store/result_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "campaign/text_width.hpp"
+#include "campaign/store/text_width.hpp"
 
 namespace softwall::campaign::tests {
 namespace {
@@ -24,6 +24,22 @@ ResultTable one_row(const std::vector<Cell>& cells) {
     table.columns.push_back(std::string(1, static_cast<char>('a' + i)));
   table.rows = {cells};
   return table;
+}
+
+TEST(CsvTable, ARowOfASingleNullIsNoBlankLine) {
+  EXPECT_EQ(written(one_row({Cell(std::monostate{})}), TableFormat::kCsv), "a\n\"\"\n");
+  EXPECT_EQ(written(one_row({Cell(std::monostate{}), Cell(std::monostate{})}), TableFormat::kCsv),
+            "a,b\n,\n");
+}
+
+TEST(WholeNumber, IsAnIntegerWhereOneHoldsIt) {
+  EXPECT_EQ(whole_number(5000), Cell(std::int64_t{5000}));
+  EXPECT_EQ(whole_number(1e300), Cell(1e300));
+  EXPECT_EQ(whole_number(-1e19), Cell(-1e19));
+}
+
+TEST(PrintableLines, KeepOnlyTheirLineBreaks) {
+  EXPECT_EQ(printable_lines("one\n\033[31mtwo\n"), "one\n\\x1b[31mtwo\n");
 }
 
 TEST(TextTable, AlignsNumbersRightAndTextLeft) {

@@ -1,16 +1,18 @@
-#include "campaign/store_schema.hpp"
+#include "campaign/store/store_schema.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
+#include <sstream>
 
-#include "campaign/store_documentation.hpp"
-#include "campaign/store_file.hpp"
-#include "campaign/store_words.hpp"
+#include "campaign/core/words.hpp"
+#include "campaign/store/store_documentation.hpp"
+#include "campaign/store/store_file.hpp"
 #include "schemas/embedded.hpp"
-#include "tests/campaign/runner/temporary_folder.hpp"
 #include "tests/campaign/store/examples.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign::tests {
 namespace {
@@ -147,6 +149,94 @@ TEST(Migration, AFailedStepLeavesTheOldFormat) {
   EXPECT_EQ(connection.integer("PRAGMA user_version"), kSchemaVersion);
   EXPECT_EQ(connection.integer("SELECT count(*) FROM pragma_table_info('campaign') WHERE name = 'first'"), 0);
   EXPECT_THAT(refusal([&] { migrate(connection, {}, kSchemaVersion + 1); }), HasSubstr("no way is known"));
+}
+
+/// A store of format 2 as far as it differed: its view of results held every case.
+TEST(Migration, GivesAnOldStoreTheViewsOfToday) {
+  const test::TemporaryFolder folder;
+  {
+    Store store = Store::open(folder.path(), OpenMode::kCreate);
+    store.record_campaign(paper_campaign());
+    store.connection().execute(
+        "DROP VIEW results; DROP VIEW results_all; CREATE VIEW results (label) AS SELECT label FROM cases;"
+        " PRAGMA user_version = 2");
+  }
+  // Whoever only reads sees the present format, and leaves the file as it is.
+  Store reader = Store::open(folder.path(), OpenMode::kReadOnly);
+  EXPECT_EQ(answer(reader, "SELECT count(*) FROM results_all"), "7");
+  EXPECT_EQ(answer(reader, "SELECT count(*) FROM documentation WHERE object = 'results_all'"),
+            answer(reader, "SELECT count(*) FROM documentation WHERE object = 'results'"));
+  Store writer = Store::open(folder.path(), OpenMode::kReadWrite);
+  EXPECT_EQ(answer(writer, "SELECT count(*) FROM results"), "7");
+  EXPECT_EQ(answer(writer, "PRAGMA user_version"), std::to_string(kSchemaVersion));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "results.db.format-2"));
+}
+
+TEST(ResultsView, ShowsTheCampaignAsItIsNow) {
+  const test::TemporaryFolder folder;
+  Store store = Store::open(folder.path(), OpenMode::kCreate);
+  const Campaign before = paper_campaign();
+  store.record_campaign(before);
+  store.record_result(before.cases.back().definition.id, result_made_of(7), "");
+  store.record_result(before.cases.front().definition.id, result_made_of(8), "");
+  store.record_campaign(campaign_with(before.cases.front()));
+  EXPECT_EQ(answer(store, "SELECT count(*) FROM results"), "1");
+  EXPECT_EQ(answer(store, "SELECT count(*) FROM results_all"), "7");
+  EXPECT_EQ(left_out(folder.path()), 1);
+  store.forget(before.cases.back().definition.id);
+  store.forget(before.cases.front().definition.id);  // part of the campaign: stays a case
+  EXPECT_EQ(answer(store, "SELECT count(*) FROM cases"), "6");
+  EXPECT_EQ(left_out(folder.path()), 0);
+}
+
+TEST(Store, KeepsWhatLeftTheSweepApart) {
+  const test::TemporaryFolder folder;
+  Store store = Store::open(folder.path(), OpenMode::kCreate);
+  const Campaign all = paper_campaign();
+  store.record_campaign(campaign_with(all.cases.front()));
+  store.record_left_over({all.cases.back()});
+  EXPECT_EQ(answer(store, "SELECT count(*) FROM cases WHERE in_campaign = 0"), "1");
+  const std::string& id = all.cases.back().definition.id;
+  AttemptEnd end = failed_at(3);
+  end.wall_seconds = 3600;
+  end.diagnostics = {{"divergence", 1e-3}};
+  store.restore_attempt(id, 1, {"here", 2, ""}, end);
+  const auto past = store.past_attempts(id);
+  ASSERT_EQ(past.size(), 1U);
+  EXPECT_EQ(past[0].end.diagnostics, end.diagnostics);
+  EXPECT_EQ(past[0].end.step, 3);
+  EXPECT_EQ(store.core_hours().at(id), 2.0);
+}
+
+/// A store as softwall 0.1.0 made it, with one attempt at work.
+Connection store_of_format_1() {
+  std::ostringstream sql;
+  sql << std::ifstream(SOFTWALL_STORE_TESTS "/results_format_1.sql").rdbuf();
+  Connection connection = Connection::open_in_memory();
+  connection.execute(sql.str());
+  connection.execute("PRAGMA application_id = " + std::to_string(kApplicationId) +
+                     "; PRAGMA user_version = 1");
+  connection.execute(
+      "INSERT INTO cases (case_id, label, directory, is_precursor, flow, reynolds, grid, cells, end_time, "
+      "ranks,"
+      " physics, run, state_since, created) VALUES ('c', 'l', 'd', 0, 'f', 1, 'g', 1, 1, 1, '{}', '{}', 'n', "
+      "'n');"
+      "INSERT INTO attempts (case_id, attempt, intended, started, pid, host, ranks)"
+      " VALUES ('c', 1, 'i', 's', 4711, 'node', 2)");
+  return connection;
+}
+
+TEST(Migration, AStoreOfTheFirstFormatBecomesOneOfToday) {
+  Connection old = store_of_format_1(), today = Connection::open_in_memory();
+  create_schema(today);
+  migrate(old, migrations(), kSchemaVersion);
+  const char* columns =
+      "SELECT s.name || '.' || c.name || ' ' || c.type FROM sqlite_schema s, pragma_table_xinfo(s.name) c"
+      " WHERE s.type IN ('table', 'view') ORDER BY s.name, c.cid";
+  EXPECT_THAT(column_of(old, columns), ElementsAreArray(column_of(today, columns)));
+  EXPECT_THAT(column_of(old, "SELECT handle FROM attempts"),
+              ElementsAreArray({R"({"host":"node","pid":4711})"}));
+  EXPECT_EQ(old.integer("SELECT count(*) FROM timeline"), 2);
 }
 
 TEST(Migration, AStepExistsFromEveryFormerFormat) {

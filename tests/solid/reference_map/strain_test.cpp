@@ -108,10 +108,11 @@ TEST(StrainSweep, FindsWhatTheKernelsFindAtEachPlace) {
       grid::Field phi(g, 1), error(g, 1);
       grid::for_each_cell({-1, g.nx + 1, 0, g.ny, -1, g.nz + 1},
                           [&](int i, int j, int k) { phi(i, j, k) = i % 3 == 0 ? 0.5 : 1; });
+      Damage damage(g);
       StrainSweep(g).run(
           strain, std::as_const(phi).view(), first_row,
           {B.xx.view(), B.yy.view(), B.zz.view(), B.xy.view(), B.xz.view(), B.yz.view(), error.view()},
-          [](int) {});
+          damage, [](int) {});
       double worst = 0, largest = 0;
       const auto compare = [&](double found, double expected) {
         worst = support::worse(worst, std::abs(found - expected));

@@ -26,7 +26,7 @@ std::pair<Volume, Volume> left_alone(Domain& d, const Displacement& displacement
   support::set_by_position(m.displacement.y, g, support::kFaceY,
                            [&](double x, double y, double) { return displacement(x, y); });
   const grid::VectorField still(g, 1);
-  ReferenceMap map(WenoWeights::kZ, g, d.halo);
+  ReferenceMap map(WenoWeights::kZ, g, d.decomposition, d.halo);
   const auto look = [&] {
     const Strain strain = strain_of(m.displacement, g);
     Volume volume;

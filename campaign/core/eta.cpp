@@ -1,0 +1,68 @@
+#include "campaign/core/eta.hpp"
+
+#include <algorithm>
+
+#include "campaign/core/estimate.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+double cells_of(const CampaignCase& one) {
+  const GridSpec& grid = one.definition.physics.grid;
+  return static_cast<double>(grid.nx) * grid.ny() * grid.nz;
+}
+
+/// From what the working solver says itself; 0 when it does not say.
+double wall_seconds_left(const Status& status, double end_time) {
+  if (status.dt <= 0 || status.seconds_per_step <= 0) return 0;
+  return std::max(0.0, end_time - status.time) / status.dt * status.seconds_per_step;
+}
+
+bool costs_nothing(const Observation& seen) {
+  return seen.state == CaseState::kFinished || seen.state == CaseState::kDiverged || !seen.retry_allowed;
+}
+
+}  // namespace
+
+double measured_ns_per_cell_step(const Campaign& campaign, const std::vector<Observation>& observations,
+                                 const Physics& physics) {
+  double sum = 0;
+  int measured = 0;
+  for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
+    const CampaignCase& one = campaign.cases[i];
+    const Physics& other = one.definition.physics;
+    const bool alike = other.flow == physics.flow && other.precision == physics.precision;
+    if (!alike || observations[i].seconds_per_step <= 0) continue;
+    sum += observations[i].seconds_per_step * one.ranks * 1e9 / cells_of(one);
+    ++measured;
+  }
+  return measured > 0 ? sum / measured : default_ns_per_cell_step(physics);
+}
+
+double remaining_seconds(const Campaign& campaign, const std::vector<Observation>& observations,
+                         const std::map<std::string, Status>& working, int cores) {
+  double before = 0;   // precursors: everything else waits for them
+  double longest = 0;  // no case can be split
+  double core_seconds = 0;
+  for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
+    const CampaignCase& one = campaign.cases[i];
+    if (costs_nothing(observations[i])) continue;
+    const auto status = working.find(one.definition.id);
+    double seconds =
+        status == working.end() ? 0 : wall_seconds_left(status->second, one.definition.run.end_time);
+    if (seconds == 0) {
+      const double ns = measured_ns_per_cell_step(campaign, observations, one.definition.physics);
+      const double reached = status == working.end() ? observations[i].time : status->second.time;
+      seconds = estimate(one.definition, ns, reached).core_hours * 3600 / one.ranks;
+    }
+    if (one.is_precursor) {
+      before = std::max(before, seconds);
+    } else {
+      longest = std::max(longest, seconds);
+      core_seconds += seconds * one.ranks;
+    }
+  }
+  return before + std::max(longest, core_seconds / std::max(1, cores));
+}
+
+}  // namespace softwall::campaign

@@ -1,0 +1,132 @@
+#include "campaign/core/plan.hpp"
+
+#include <map>
+
+#include "solver/case/time_comparison.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+class Planner {
+ public:
+  Planner(const Campaign& campaign, const std::vector<Observation>& observations) : campaign_(campaign) {
+    for (const auto& observation : observations) observations_[observation.case_id] = observation;
+    for (const auto& c : campaign.cases) cases_[c.definition.id] = &c;
+  }
+
+  [[nodiscard]] Decision decide(const CampaignCase& c) const {
+    const Observation seen = observation(c.definition.id);
+    if (seen.running || seen.state == CaseState::kRunning)
+      return made(c, Outlook::kRunning, "a solver is at work on it");
+    if (is_finished(c)) return made(c, Outlook::kKept, "finished");
+    if (const std::string why = why_blocked(c, seen); !why.empty()) return made(c, Outlook::kBlocked, why);
+    if (seen.newest_checkpoint)
+      return made(c, Outlook::kResume, "from step " + std::to_string(seen.step) + after(seen));
+    if (!c.precursor_id.empty()) return decide_by_precursor(c, seen);
+    return made(c, Outlook::kStart, start_reason(seen));
+  }
+
+  [[nodiscard]] std::filesystem::path initial_checkpoint(const CampaignCase& c) const {
+    if (c.precursor_id.empty()) return {};
+    return observation(c.precursor_id).newest_checkpoint.value_or(std::filesystem::path());
+  }
+
+ private:
+  static Decision made(const CampaignCase& c, Outlook outlook, std::string reason) {
+    return {c.definition.id, outlook, std::move(reason)};
+  }
+
+  static std::string after(const Observation& seen) {
+    return seen.reason.empty() ? "" : ", after: " + seen.reason;
+  }
+
+  static std::string start_reason(const Observation& seen) {
+    return seen.attempts == 0 ? "new" : "again from the start, no checkpoint yet" + after(seen);
+  }
+
+  [[nodiscard]] Observation observation(const std::string& case_id) const {
+    const auto found = observations_.find(case_id);
+    return found == observations_.end() ? Observation{} : found->second;
+  }
+
+  /// A finished case whose end time has since been extended is not finished.
+  [[nodiscard]] bool is_finished(const CampaignCase& c) const {
+    const Observation seen = observation(c.definition.id);
+    return seen.state == CaseState::kFinished && has_reached(seen.time, c.definition.run.end_time);
+  }
+
+  /// Why a person must look at this case; empty when it may run.
+  [[nodiscard]] std::string why_blocked(const CampaignCase& c, const Observation& seen) const {
+    const Execution& execution = campaign_.execution;
+    if (seen.state == CaseState::kDiverged)
+      return "diverged" + after(seen) + "; it would do so again unchanged";
+    if (!seen.retry_allowed) return "cannot succeed unchanged" + after(seen);
+    if (seen.attempts_without_progress >= execution.max_failures_without_progress)
+      return std::to_string(seen.attempts_without_progress) + " attempts without progress" + after(seen);
+    if (execution.cores > 0 && c.ranks > execution.cores)
+      return "needs " + std::to_string(c.ranks) + " cores, there are " + std::to_string(execution.cores);
+    return "";
+  }
+
+  [[nodiscard]] Decision decide_by_precursor(const CampaignCase& c, const Observation& seen) const {
+    const auto found = cases_.find(c.precursor_id);
+    if (found == cases_.end())
+      return made(c, Outlook::kBlocked, "its precursor " + c.precursor_id + " is not in the campaign");
+    const CampaignCase& precursor = *found->second;
+    const std::string& name = precursor.definition.label;
+    if (is_finished(precursor)) {
+      if (observation(c.precursor_id).newest_checkpoint) return made(c, Outlook::kStart, start_reason(seen));
+      return made(c, Outlook::kBlocked, name + " has finished, but none of its checkpoints is valid");
+    }
+    const Decision before = decide(precursor);
+    if (before.outlook == Outlook::kBlocked)
+      return made(c, Outlook::kBlocked, "needs " + name + ": " + before.reason);
+    return made(c, Outlook::kWaiting, "for " + name);
+  }
+
+  const Campaign& campaign_;
+  std::map<std::string, Observation> observations_;
+  std::map<std::string, const CampaignCase*> cases_;
+};
+
+}  // namespace
+
+std::vector<Decision> decide(const Campaign& campaign, const std::vector<Observation>& observations) {
+  const Planner planner(campaign, observations);
+  std::vector<Decision> decisions;
+  for (const auto& c : campaign.cases) decisions.push_back(planner.decide(c));
+  return decisions;
+}
+
+std::vector<Action> plan(const Campaign& campaign, const std::vector<Observation>& observations,
+                         int cores_free) {
+  const Planner planner(campaign, observations);
+  std::vector<Action> actions;
+  for (const auto& c : campaign.cases) {
+    const Outlook outlook = planner.decide(c).outlook;
+    if ((outlook != Outlook::kStart && outlook != Outlook::kResume) || c.ranks > cores_free) continue;
+    cores_free -= c.ranks;
+    actions.push_back({c.definition.id, outlook == Outlook::kResume, c.ranks, planner.initial_checkpoint(c)});
+  }
+  return actions;
+}
+
+std::string to_string(Outlook outlook) {
+  switch (outlook) {
+    case Outlook::kStart:
+      return "start";
+    case Outlook::kResume:
+      return "resume";
+    case Outlook::kRunning:
+      return "running";
+    case Outlook::kKept:
+      return "kept";
+    case Outlook::kWaiting:
+      return "waiting";
+    case Outlook::kBlocked:
+      return "blocked";
+  }
+  return "?";
+}
+
+}  // namespace softwall::campaign

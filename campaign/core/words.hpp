@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "campaign/core/attempt.hpp"
+#include "campaign/core/campaign.hpp"
+
+/// The words that users and the store see for states and outcomes; schemas/results.sql lists the same.
+namespace softwall::campaign {
+
+[[nodiscard]] std::string_view word_of(CaseState state);
+[[nodiscard]] std::string_view word_of(AttemptOutcome outcome);
+[[nodiscard]] std::optional<CaseState> state_of(std::string_view word);
+[[nodiscard]] std::optional<AttemptOutcome> outcome_of(std::string_view word);
+
+}  // namespace softwall::campaign

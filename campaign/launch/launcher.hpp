@@ -1,0 +1,78 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace softwall::campaign {
+
+/// One launch of the solver for a case.
+struct LaunchRequest {
+  std::string case_id;
+  std::filesystem::path run_directory;
+  int attempt = 1;
+  int ranks = 1;
+  std::optional<double> wall_seconds;  ///< the solver checkpoints and ends in time for this
+};
+
+/// What an attempt leaves behind once none of its processes is left.
+struct EndedAttempt {
+  std::string case_id;
+  /// As a shell shows it: 128 + signal for a killed launcher. Empty: nobody saw it.
+  std::optional<int> exit_code;
+};
+
+/// How firmly an attempt is asked to end.
+enum class StopLevel { kCheckpoint, kTerminate, kKill };
+
+/// Text by which a launcher finds an attempt again, also when an earlier softwall started it. Only the
+/// launcher knows what it means; softwall keeps it in run.json and in the store.
+using Handle = std::string;
+
+/// Whether an attempt is still there.
+enum class Presence {
+  kQueued,   ///< accepted, not yet begun
+  kRunning,  ///< a process of it is at work
+  kGone,     ///< nothing of it is left
+  kUnknown   ///< nobody answers at the moment; it must be taken for running
+};
+
+/// Where attempts run: this machine today, a batch system later. The one border behind which processes,
+/// queues and their commands are known. make_launcher() chooses the one that a campaign asks for.
+class Launcher {
+ public:
+  virtual ~Launcher() = default;
+
+  /// Needed once before the first start(): finds what starting takes. Throws BadInput when it is not there.
+  virtual void prepare(const std::filesystem::path& solver) = 0;
+  /// Starts an attempt. Throws std::runtime_error when it cannot be started.
+  [[nodiscard]] virtual Handle start(const LaunchRequest& request) = 0;
+  /// Takes over an attempt that an earlier softwall started: true when it goes on by itself and collect()
+  /// will report its end; false when attempts of this kind are to be ended, and started again from their
+  /// checkpoint.
+  [[nodiscard]] virtual bool adopt(const LaunchRequest& request, const Handle& handle) = 0;
+  /// Attempts that ended since the last call. Does not wait.
+  virtual std::vector<EndedAttempt> collect() = 0;
+  /// True when no attempt that was started or adopted is left to collect.
+  [[nodiscard]] virtual bool idle() const = 0;
+
+  /// The three below serve every attempt, whoever started it. An empty handle asks for whatever works in the
+  /// run directory.
+  [[nodiscard]] virtual Presence presence(const std::filesystem::path& run_directory,
+                                          const Handle& handle) const = 0;
+  virtual void stop(const std::filesystem::path& run_directory, const Handle& handle, StopLevel level) = 0;
+  /// Removes what the launcher itself left for a run directory where nobody works any more.
+  virtual void clean_up(const std::filesystem::path& run_directory) = 0;
+
+  /// Cores that attempts can use at once; empty when a scheduler decides.
+  [[nodiscard]] virtual std::optional<int> capacity() const = 0;
+};
+
+/// Cores to use at once: as many as were asked for, or else (0) all that there are.
+[[nodiscard]] inline int cores_to_use(int asked, const Launcher& launcher) {
+  return asked > 0 ? asked : launcher.capacity().value_or(std::numeric_limits<int>::max());
+}
+
+}  // namespace softwall::campaign

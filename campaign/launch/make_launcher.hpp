@@ -1,0 +1,17 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "campaign/launch/launcher.hpp"
+
+namespace softwall::campaign {
+
+/// The launcher that execution.launcher of a campaign file names. Throws BadInput for an unknown name.
+[[nodiscard]] std::unique_ptr<Launcher> make_launcher(const std::string& name);
+
+/// Every name that make_launcher() knows; schemas/campaign.schema.json lists the same.
+[[nodiscard]] std::vector<std::string> launcher_names();
+
+}  // namespace softwall::campaign

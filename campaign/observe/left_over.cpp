@@ -1,0 +1,114 @@
+#include "campaign/observe/left_over.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "campaign/core/label.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/observe/run_reports.hpp"
+#include "solver/case/bad_input.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+using nlohmann::json;
+
+std::optional<CampaignCase> case_in(const std::filesystem::path& folder, const std::string& directory) {
+  try {
+    CampaignCase found;
+    found.directory = directory;
+    found.definition = read_case(run_files(folder, found).case_file());
+    found.definition.label = label_in_directory(directory, found.definition.id);
+    found.precursor_id = found.definition.physics.initial.precursor;
+    const auto summary = read_summary(run_files(folder, found), found.definition.id);
+    if (summary && summary->ranks > 0) found.ranks = summary->ranks;
+    return found;
+  } catch (const BadInput&) {
+    return std::nullopt;
+  }
+}
+
+std::map<std::string, json> flat_physics(const Case& definition) {
+  std::map<std::string, json> members;
+  const json physics = to_json(definition).at("physics").flatten();
+  for (const auto& [pointer, value] : physics.items()) members[pointer] = value;
+  return members;
+}
+
+/// "/statistics/start_time" as "statistics.start_time".
+std::string dotted(const std::string& pointer) {
+  std::string name = pointer.substr(1);
+  std::ranges::replace(name, '/', '.');
+  return name;
+}
+
+std::string value_of(const std::map<std::string, json>& members, const std::string& pointer) {
+  const auto found = members.find(pointer);
+  return found == members.end() ? "none" : found->second.dump();
+}
+
+std::vector<std::string> differences(const std::map<std::string, json>& was,
+                                     const std::map<std::string, json>& is) {
+  std::set<std::string> pointers;
+  for (const auto& [pointer, value] : was) pointers.insert(pointer);
+  for (const auto& [pointer, value] : is) pointers.insert(pointer);
+  std::vector<std::string> found;
+  for (const std::string& pointer : pointers) {
+    const std::string before = value_of(was, pointer), now = value_of(is, pointer);
+    if (before == now) continue;
+    const bool precursor = pointer == "/initial/precursor";
+    found.push_back(precursor ? "another precursor" : dotted(pointer) + " " + before + " instead of " + now);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<CampaignCase> left_over_cases(const Campaign& campaign, const std::filesystem::path& folder) {
+  std::set<std::string> directories, ids, precursors;
+  for (const CampaignCase& one : campaign.cases) {
+    directories.insert(one.directory);
+    ids.insert(one.definition.id);
+    precursors.insert(one.precursor_id);
+  }
+  std::vector<CampaignCase> found;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "cases", none)) {
+    const std::string directory = "cases/" + entry.path().filename().string();
+    if (directories.contains(directory) || !entry.is_directory(none)) continue;
+    auto one = case_in(folder, directory);
+    if (!one || ids.contains(one->definition.id)) continue;
+    precursors.insert(one->precursor_id);
+    found.push_back(std::move(*one));
+  }
+  for (CampaignCase& one : found) one.is_precursor = precursors.contains(one.definition.id);
+  std::ranges::sort(found, [](const CampaignCase& a, const CampaignCase& b) {
+    return std::pair(!a.is_precursor, a.directory) < std::pair(!b.is_precursor, b.directory);
+  });
+  return found;
+}
+
+std::string why_left_over(const CampaignCase& left_over, const Campaign& campaign) {
+  constexpr std::size_t kMostShown = 4;
+  const auto was = flat_physics(left_over.definition);
+  const CampaignCase* nearest = nullptr;
+  std::vector<std::string> fewest;
+  for (const CampaignCase& one : campaign.cases) {
+    if (one.is_precursor != left_over.is_precursor) continue;
+    auto found = differences(was, flat_physics(one.definition));
+    if (nearest != nullptr && found.size() >= fewest.size()) continue;
+    nearest = &one;
+    fewest = std::move(found);
+  }
+  if (nearest == nullptr) return "";
+  std::string text = "like " + nearest->definition.label + ", but ";
+  for (std::size_t i = 0; i < std::min(fewest.size(), kMostShown); ++i)
+    text += (i > 0 ? ", " : "") + fewest[i];
+  return fewest.size() > kMostShown ? text + ", ..." : text;
+}
+
+}  // namespace softwall::campaign

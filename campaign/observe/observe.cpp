@@ -1,0 +1,263 @@
+#include "campaign/observe/observe.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+
+#include "campaign/core/label.hpp"
+#include "campaign/observe/run_reports.hpp"
+#include "campaign/system/process_identity.hpp"
+#include "solver/case/bad_input.hpp"
+#include "solver/case/file_descriptor.hpp"
+#include "solver/case/time_comparison.hpp"
+#include "solver/run_directory/checkpoint_header.hpp"
+#include "solver/run_directory/exit_codes.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+bool lock_is_held(const std::filesystem::path& file) {
+  const FileDescriptor lock(open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  return lock && flock(lock.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
+
+/// Success is the solver's own end record, of this case, at or past the end time; nothing else proves it.
+bool is_finished(const Summary& summary, const CampaignCase& campaign_case) {
+  return summary.outcome == "finished" && has_reached(summary.time, campaign_case.definition.run.end_time);
+}
+
+void observe_checkpoints(const RunFiles& run, Observation& observation) {
+  for (const auto& file : checkpoint_ladder(run)) {
+    try {
+      const CheckpointHeader header = read_checkpoint_header(file);
+      if (header.case_id != observation.case_id) continue;
+      observation.newest_checkpoint = file;
+      observation.step = std::max(observation.step, header.step);
+      observation.time = std::max(observation.time, header.time);
+      return;
+    } catch (const std::runtime_error&) {
+      continue;  // it will be set aside before the next launch
+    }
+  }
+}
+
+void apply_summary(const Summary& summary, const CampaignCase& campaign_case, Observation& observation) {
+  observation.reason = summary.reason;
+  observation.step = std::max(observation.step, summary.step);
+  observation.time = std::max(observation.time, summary.time);
+  if (summary.attempt_steps > 0) {
+    observation.seconds_per_step = summary.wall_seconds / static_cast<double>(summary.attempt_steps);
+  }
+  if (is_finished(summary, campaign_case)) {
+    observation.state = CaseState::kFinished;
+  } else if (summary.outcome == "finished") {
+    observation.state = CaseState::kInterrupted;
+    observation.reason = "the end time was raised";
+  } else if (summary.outcome == "diverged") {
+    observation.state = CaseState::kDiverged;
+  } else if (summary.outcome == "interrupted") {
+    observation.state = CaseState::kInterrupted;
+  } else {
+    observation.state = CaseState::kFailed;
+    observation.retry_allowed = summary.exit_code != static_cast<int>(ExitCode::kBadCase);
+  }
+}
+
+struct Meaning {
+  AttemptOutcome outcome;
+  const char* text;
+};
+
+/// What an exit status means when the solver left no record of its end.
+Meaning meaning_of(int exit_code) {
+  switch (exit_code) {
+    case static_cast<int>(ExitCode::kIoFailure):
+      return {AttemptOutcome::kIoFailure, "disk full or I/O error"};
+    case static_cast<int>(ExitCode::kDiverged):
+      return {AttemptOutcome::kDiverged, "the solution diverged"};
+    case static_cast<int>(ExitCode::kCheckpointRefused):
+      return {AttemptOutcome::kBadCheckpoint, "no checkpoint could be used"};
+    case static_cast<int>(ExitCode::kBadCase):
+      return {AttemptOutcome::kBadCase, "the solver refused case.json"};
+    case static_cast<int>(ExitCode::kInterrupted):
+      return {AttemptOutcome::kInterrupted, "stopped on request"};
+    case 128 + SIGKILL:
+      return {AttemptOutcome::kKilled, "killed from outside, or out of memory (SIGKILL)"};
+    case 128 + SIGTERM:
+      return {AttemptOutcome::kKilled, "ended from outside (SIGTERM)"};
+    case 128 + SIGUSR1:
+      return {AttemptOutcome::kKilled, "stopped before it was ready to write a checkpoint"};
+    case 128 + SIGSEGV:
+      return {AttemptOutcome::kFailed, "the solver crashed (SIGSEGV)"};
+    case 128 + SIGABRT:
+      return {AttemptOutcome::kFailed, "the solver crashed (SIGABRT)"};
+    case 128 + SIGFPE:
+      return {AttemptOutcome::kFailed, "the solver crashed (SIGFPE)"};
+    case 128 + SIGXFSZ:
+      return {AttemptOutcome::kIoFailure, "a file would exceed the limit of the shell (ulimit -f)"};
+    case 128 + SIGILL:  // what mpirun returns for a program it cannot execute
+      return {AttemptOutcome::kFailed,
+              "the solver could not be executed, or was built for another processor"};
+    case 0:
+      return {AttemptOutcome::kFailed, "the solver ended without a summary"};
+    default:
+      return {AttemptOutcome::kFailed, "the solver failed"};
+  }
+}
+
+AttemptOutcome outcome_of(const Summary& summary, const CampaignCase& campaign_case) {
+  if (is_finished(summary, campaign_case)) return AttemptOutcome::kFinished;
+  if (summary.outcome == "interrupted" || summary.outcome == "finished") return AttemptOutcome::kInterrupted;
+  if (summary.outcome == "diverged") return AttemptOutcome::kDiverged;
+  return summary.exit_code ? meaning_of(*summary.exit_code).outcome : AttemptOutcome::kFailed;
+}
+
+AttemptEnd end_from_summary(const Summary& summary, const CampaignCase& campaign_case) {
+  AttemptEnd end;
+  end.outcome = outcome_of(summary, campaign_case);
+  end.reason = summary.reason;
+  end.exit_code = summary.exit_code;
+  end.step = summary.step;
+  end.time = summary.time;
+  end.attempt_steps = summary.attempt_steps;
+  end.wall_seconds = summary.wall_seconds;
+  end.ns_per_cell_step = summary.ns_per_cell_step;
+  end.started = summary.started;
+  end.ended = summary.ended;
+  end.version = summary.version;
+  end.git_revision = summary.git_revision;
+  end.build_type = summary.build_type;
+  end.compiler = summary.compiler;
+  end.diagnostics = summary.diagnostics;
+  return end;
+}
+
+constexpr std::size_t kIdDigits = 8;  // of a case id, at the end of its directory's name
+
+/// "cases/<label>-<digits>" by its digits, every one that is there.
+std::multimap<std::string, std::string> existing_directories(const std::filesystem::path& folder) {
+  std::multimap<std::string, std::string> found;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "cases", none)) {
+    const std::string name = entry.path().filename();
+    if (name.size() <= kIdDigits + 1 || name[name.size() - kIdDigits - 1] != '-') continue;
+    if (entry.is_directory(none)) found.emplace(name.substr(name.size() - kIdDigits), "cases/" + name);
+  }
+  return found;
+}
+
+/// Few digits of an id may be those of two cases. A case file that is missing or damaged tells nothing.
+bool may_be_of(const std::filesystem::path& directory, const std::string& case_id) {
+  try {
+    return read_case(RunFiles{directory}.case_file()).id == case_id;
+  } catch (const BadInput&) {
+    return true;
+  }
+}
+
+}  // namespace
+
+RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& campaign_case) {
+  return {std::filesystem::absolute(folder / campaign_case.directory).lexically_normal()};
+}
+
+bool is_occupied(const RunFiles& run, const Launcher& launcher) {
+  if (!std::filesystem::exists(run.directory)) return false;
+  const auto record = read_run_record(run);
+  return launcher.presence(run.directory, record ? record->handle : Handle()) != Presence::kGone ||
+         lock_is_held(run.lock());
+}
+
+Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run) {
+  Observation observation;
+  observation.case_id = campaign_case.definition.id;
+  observation.end_time = campaign_case.definition.run.end_time;
+  if (!std::filesystem::exists(run.directory)) return observation;
+
+  observe_checkpoints(run, observation);
+  if (observation.newest_checkpoint) {
+    observation.state = CaseState::kInterrupted;
+    observation.reason = "ended without a word";
+  }
+  if (const auto record = read_run_record(run)) observation.attempts = record->attempt;
+  const auto summary = read_summary(run, observation.case_id);
+  // An older summary says nothing about an attempt that was started after it and left none.
+  if (summary && summary->attempt >= observation.attempts) {
+    observation.attempts = summary->attempt;
+    apply_summary(*summary, campaign_case, observation);
+  }
+  return observation;
+}
+
+Observation observe(const CampaignCase& campaign_case, const RunFiles& run, const Launcher& launcher) {
+  Observation observation = observe_files(campaign_case, run);
+  if (is_occupied(run, launcher)) {
+    observation.running = true;
+    observation.state = CaseState::kRunning;
+    observation.reason.clear();  // it spoke of an end that is over
+    if (const auto status = read_status(run, observation.case_id)) {
+      observation.seconds_per_step = status->seconds_per_step;
+    }
+  }
+  return observation;
+}
+
+std::vector<Observation> observe_all(const Campaign& campaign, const std::filesystem::path& folder,
+                                     const Launcher& launcher) {
+  std::vector<Observation> all;
+  for (const CampaignCase& one : campaign.cases) {
+    all.push_back(observe(one, run_files(folder, one), launcher));
+  }
+  return all;
+}
+
+AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, int attempt,
+                        std::optional<int> exit_code) {
+  const std::string& id = campaign_case.definition.id;
+  AttemptEnd end;
+  if (const auto summary = read_summary(run, id); summary && summary->attempt == attempt) {
+    end = end_from_summary(*summary, campaign_case);
+  } else if (exit_code) {
+    const Meaning meaning = meaning_of(*exit_code);
+    end.outcome = meaning.outcome;
+    end.reason = std::string(meaning.text) + " (exit status " + std::to_string(*exit_code) + ")";
+  } else {
+    end.outcome = AttemptOutcome::kLost;
+    end.reason = "ended together with the softwall that had started it";
+  }
+  if (exit_code) end.exit_code = exit_code;
+  if (!end.step) {
+    const Observation left = observe_files(campaign_case, run);
+    end.step = left.step;
+    end.time = left.time;
+  }
+  return end;
+}
+
+void keep_existing_directories(Campaign& campaign, const std::filesystem::path& folder) {
+  const auto existing = existing_directories(folder);
+  std::set<std::string> kept;
+  for (CampaignCase& one : campaign.cases) {
+    const std::string& id = one.definition.id;
+    const auto [first, last] = existing.equal_range(id.substr(0, kIdDigits));
+    std::optional<std::string> found;
+    for (auto item = first; item != last && found != one.directory; ++item) {
+      const bool has_its_name = item->second == one.directory;
+      if (has_its_name || (!found && may_be_of(folder / item->second, id))) found = item->second;
+    }
+    if (!found) continue;
+    one.directory = *found;
+    one.definition.label = label_in_directory(*found, id);
+    kept.insert(id);
+  }
+  make_labels_distinct(campaign, kept);
+}
+
+}  // namespace softwall::campaign

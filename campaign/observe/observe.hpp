@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "campaign/core/attempt.hpp"
+#include "campaign/core/campaign.hpp"
+#include "campaign/launch/launcher.hpp"
+#include "solver/run_directory/run_files.hpp"
+
+/// What the run directories say. Only reads.
+namespace softwall::campaign {
+
+/// The run directory of a case in the campaign's folder, absolute.
+[[nodiscard]] RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& campaign_case);
+
+/// True while an attempt is queued or at work in the run directory as its launcher sees it, or while anybody
+/// holds the solver's lock.
+[[nodiscard]] bool is_occupied(const RunFiles& run, const Launcher& launcher);
+
+/// The state of one case as if nobody worked on it. Checkpoints are looked at by their headers only.
+/// `attempts` is the newest attempt that left a trace; counting failures is the store's business.
+[[nodiscard]] Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run);
+
+/// The state of one case.
+[[nodiscard]] Observation observe(const CampaignCase& campaign_case, const RunFiles& run,
+                                  const Launcher& launcher);
+
+[[nodiscard]] std::vector<Observation> observe_all(const Campaign& campaign,
+                                                   const std::filesystem::path& folder,
+                                                   const Launcher& launcher);
+
+/// Why and how an attempt ended that no process works on any more. exit_code: of its launcher, empty when the
+/// runner did not live to see it.
+[[nodiscard]] AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, int attempt,
+                                      std::optional<int> exit_code);
+
+/// Labels are for people, ids are identity: a case that has a directory keeps it, and the label it was run
+/// under, however the sweep names it now.
+void keep_existing_directories(Campaign& campaign, const std::filesystem::path& folder);
+
+}  // namespace softwall::campaign

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+#include "solver/case/case.hpp"
+#include "solver/run_directory/run_files.hpp"
+
+namespace softwall::campaign {
+
+/// Make the run directory of a case and write its case.json anew: `run` may have changed since the last
+/// attempt, the physics cannot. initial_checkpoint: of the precursor, absolute; may be empty. Throws
+/// std::runtime_error when it cannot be written, or when the directory holds another case.
+void prepare_run_directory(const Case& definition, const RunFiles& run,
+                           const std::filesystem::path& initial_checkpoint);
+
+/// Remove the manager's half-written files of a moment when it was killed. The solver does so with its own.
+void sweep_temporaries(const RunFiles& run);
+
+}  // namespace softwall::campaign

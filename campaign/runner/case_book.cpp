@@ -1,0 +1,101 @@
+#include "campaign/runner/case_book.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "campaign/observe/observe.hpp"
+#include "campaign/store/import_results.hpp"
+#include "solver/case/time_comparison.hpp"
+
+namespace softwall::campaign {
+
+CaseBook::CaseBook(Campaign campaign, std::filesystem::path folder, Store& store, Progress& progress)
+    : campaign_(std::move(campaign)),
+      folder_(std::move(folder)),
+      store_(store),
+      progress_(progress),
+      observations_(campaign_.cases.size()) {}
+
+const CampaignCase& CaseBook::find(const std::string& case_id) const {
+  return campaign_.cases[index_of(case_id)];
+}
+
+RunFiles CaseBook::files_of(const CampaignCase& one) const { return run_files(folder_, one); }
+
+const Observation& CaseBook::seen(const CampaignCase& one) const {
+  return observations_[index_of(one.definition.id)];
+}
+
+void CaseBook::look_at(const CampaignCase& one) {
+  const std::string& id = one.definition.id;
+  Observation now = with_history(observe_files(one, files_of(one)), store_);
+  now.retry_allowed = now.retry_allowed && !paused_.contains(id) && !given_up_.contains(id);
+  observations_[index_of(id)] = now;
+}
+
+void CaseBook::mark_running(const CampaignCase& one) {
+  Observation& now = observations_[index_of(one.definition.id)];
+  now.running = true;
+  now.state = CaseState::kRunning;
+}
+
+void CaseBook::look_at_precursors() {
+  for (const CampaignCase& one : campaign_.cases) {
+    Observation& now = observations_[index_of(one.definition.id)];
+    if (!one.is_precursor || now.state != CaseState::kFinished || !is_needed(one)) continue;
+    const Ladder ladder = check(one);
+    now.newest_checkpoint = ladder.newest;
+    if (ladder.newest && has_reached(ladder.header.time, one.definition.run.end_time)) continue;
+    now.state = CaseState::kInterrupted;
+    now.reason = "its last checkpoint was damaged";
+    now.step = ladder.newest ? ladder.header.step : 0;
+    now.time = ladder.newest ? ladder.header.time : 0.0;
+  }
+}
+
+void CaseBook::give_up(const CampaignCase& one, const std::string& reason) {
+  given_up_[one.definition.id] = reason;
+}
+
+void CaseBook::pause(const CampaignCase& one, const std::string& reason) {
+  paused_[one.definition.id] = reason;
+}
+
+void CaseBook::pause_unfinished(const std::string& reason) {
+  for (std::size_t i = 0; i < campaign_.cases.size(); ++i) {
+    const CampaignCase& one = campaign_.cases[i];
+    observations_[i] = observe_files(one, files_of(one));
+    if (observations_[i].state != CaseState::kFinished) pause(one, reason);
+  }
+}
+
+Ladder CaseBook::check(const CampaignCase& one) {
+  const RunFiles run = files_of(one);
+  Ladder ladder = check_ladder(run, one.definition.id);
+  if (ladder.set_aside.empty()) return ladder;
+  for (const SetAside& bad : ladder.set_aside) {
+    progress_.event(one.definition.label + ": " + bad.file.filename().string() + " set aside: " + bad.reason,
+                    Progress::Kind::kBad);
+  }
+  store_.record_checkpoints(one.definition.id, checkpoint_records(run, ladder.set_aside));
+  return ladder;
+}
+
+std::size_t CaseBook::index_of(const std::string& case_id) const {
+  const auto found =
+      std::ranges::find_if(campaign_.cases, [&](const auto& one) { return one.definition.id == case_id; });
+  if (found == campaign_.cases.end()) throw std::logic_error("no case " + case_id + " in this campaign");
+  return static_cast<std::size_t>(found - campaign_.cases.begin());
+}
+
+bool CaseBook::is_needed(const CampaignCase& precursor) const {
+  for (std::size_t i = 0; i < campaign_.cases.size(); ++i) {
+    if (campaign_.cases[i].precursor_id == precursor.definition.id &&
+        observations_[i].state != CaseState::kFinished) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace softwall::campaign

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "campaign/core/campaign.hpp"
+#include "campaign/observe/ladder.hpp"
+#include "campaign/runner/progress.hpp"
+#include "campaign/store/store.hpp"
+#include "solver/run_directory/run_files.hpp"
+
+namespace softwall::campaign {
+
+/// What the runner knows about each case: its directory, what was last observed there, and why it is not to
+/// be run again before a person has looked.
+class CaseBook {
+ public:
+  CaseBook(Campaign campaign, std::filesystem::path folder, Store& store, Progress& progress);
+
+  [[nodiscard]] const Campaign& campaign() const { return campaign_; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// In the order of campaign().cases.
+  [[nodiscard]] const std::vector<Observation>& observations() const { return observations_; }
+
+  [[nodiscard]] const CampaignCase& find(const std::string& case_id) const;
+  [[nodiscard]] RunFiles files_of(const CampaignCase& one) const;
+  [[nodiscard]] const Observation& seen(const CampaignCase& one) const;
+
+  /// Observe the files of a case anew. Whether a solver works on it is not asked: the runner knows which
+  /// cases it has started or adopted, and has ended all others before.
+  void look_at(const CampaignCase& one);
+  void mark_running(const CampaignCase& one);
+  /// A finished precursor is of use only with its last checkpoint: if that is damaged, the precursor is to go
+  /// on from an older one, which gives the same last checkpoint again.
+  void look_at_precursors();
+
+  /// Not again in this run: of no use unchanged, or only after something around it has been put right.
+  void give_up(const CampaignCase& one, const std::string& reason);
+  void pause(const CampaignCase& one, const std::string& reason);
+  /// All that is not finished, looked at anew without the store, which is in trouble.
+  void pause_unfinished(const std::string& reason);
+  [[nodiscard]] const std::map<std::string, std::string>& given_up() const { return given_up_; }
+  [[nodiscard]] const std::map<std::string, std::string>& paused() const { return paused_; }
+
+  /// Check the ladder of a case that nobody works on; what is set aside is told and recorded.
+  Ladder check(const CampaignCase& one);
+
+ private:
+  [[nodiscard]] std::size_t index_of(const std::string& case_id) const;
+  [[nodiscard]] bool is_needed(const CampaignCase& precursor) const;
+
+  Campaign campaign_;
+  std::filesystem::path folder_;
+  Store& store_;
+  Progress& progress_;
+  std::vector<Observation> observations_;
+  std::map<std::string, std::string> given_up_, paused_;  ///< case id -> reason
+};
+
+}  // namespace softwall::campaign

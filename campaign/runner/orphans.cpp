@@ -1,0 +1,77 @@
+#include "campaign/runner/orphans.hpp"
+
+#include <stdexcept>
+
+#include "campaign/observe/observe.hpp"
+#include "campaign/observe/run_directory.hpp"
+#include "campaign/observe/run_reports.hpp"
+#include "campaign/system/clock.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+constexpr double kUnreachableSeconds =
+    30.0;  // a solver that ends holds its lock a little longer than its name
+
+struct Orphan {
+  WorkPlace place;
+  Handle handle;
+  StopLadder ladder;
+  double seen_at;  ///< monotonic seconds when the launcher last saw it
+};
+
+/// Once nobody works there.
+void tidy(const RunFiles& run, Launcher& launcher) {
+  launcher.clean_up(run.directory);
+  sweep_temporaries(run);
+}
+
+Orphan orphan_in(const WorkPlace& place, StopGrace grace) {
+  const auto record = read_run_record(place.run);
+  const double now = monotonic_seconds();
+  return {place, record ? record->handle : Handle(), StopLadder(grace, now), now};
+}
+
+void ask_to_end(Orphan& orphan, Launcher& launcher) {
+  const double now = monotonic_seconds();
+  const auto& directory = orphan.place.run.directory;
+  const Presence presence = launcher.presence(directory, orphan.handle);
+  if (presence == Presence::kRunning || presence == Presence::kQueued) {
+    orphan.seen_at = now;
+    if (const auto level = orphan.ladder.due(now)) launcher.stop(directory, orphan.handle, *level);
+  } else if (now - orphan.seen_at > kUnreachableSeconds) {
+    throw std::runtime_error(
+        "a solver that cannot be seen from here (of another user or another host) works in " +
+        directory.string() + "; end it, then run the same command again");
+  }
+}
+
+}  // namespace
+
+bool end_orphans(const std::vector<WorkPlace>& places, Launcher& launcher, StopGrace grace, Signals& signals,
+                 Progress& progress) {
+  std::vector<Orphan> orphans;
+  for (const WorkPlace& place : places) {
+    if (!std::filesystem::exists(place.run.directory)) continue;
+    if (!is_occupied(place.run, launcher)) {
+      tidy(place.run, launcher);
+      continue;
+    }
+    orphans.push_back(orphan_in(place, grace));
+    progress.event(place.label +
+                   ": a solver of an earlier softwall still works on it; waiting for its checkpoint");
+  }
+  while (!orphans.empty()) {
+    for (Orphan& orphan : orphans) ask_to_end(orphan, launcher);
+    signals.wait(std::chrono::milliseconds(100));
+    if (signals.stop_requests() > 0) return false;
+    std::erase_if(orphans, [&](const Orphan& orphan) {
+      if (is_occupied(orphan.place.run, launcher)) return false;
+      tidy(orphan.place.run, launcher);
+      return true;
+    });
+  }
+  return true;
+}
+
+}  // namespace softwall::campaign

@@ -1,0 +1,351 @@
+#include "campaign/runner/runner.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <system_error>
+
+#include "campaign/core/eta.hpp"
+#include "campaign/observe/history.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/observe/run_directory.hpp"
+#include "campaign/observe/run_reports.hpp"
+#include "campaign/runner/orphans.hpp"
+#include "campaign/runner/wording.hpp"
+#include "campaign/store/import_results.hpp"
+#include "campaign/system/clock.hpp"
+#include "solver/run_directory/build_info.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+constexpr double kTellSeconds = 300.0;       // between progress lines where there is no terminal
+constexpr double kStopRepeatSeconds = 10.0;  // a signal that reaches mpirun before its ranks exist is lost
+
+/// "All cores there are" as a number, for the plan too.
+Campaign with_counted_cores(Campaign campaign, const Launcher& launcher) {
+  campaign.execution.cores = cores_to_use(campaign.execution.cores, launcher);
+  return campaign;
+}
+
+bool failed_by_itself(AttemptOutcome outcome) {
+  return outcome != AttemptOutcome::kFinished && outcome != AttemptOutcome::kInterrupted &&
+         outcome != AttemptOutcome::kDiverged;
+}
+
+}  // namespace
+
+Runner::Runner(Campaign campaign, std::filesystem::path folder, Parts parts, RunnerOptions options)
+    : launcher_(parts.launcher),
+      store_(parts.store),
+      progress_(parts.progress),
+      signals_(parts.signals),
+      options_(options),
+      book_(with_counted_cores(std::move(campaign), parts.launcher), std::move(folder), parts.store,
+            parts.progress) {
+  store_.connection().wait_for_locks([this] { return wait_for_store(); });
+}
+
+Runner::~Runner() {
+  store_.connection().wait_for_locks([] { return false; });  // nobody is left to wait
+}
+
+RunnerReport Runner::run() {
+  if (!take_stock()) return report();
+  try {
+    while (true) {
+      for (const EndedAttempt& ended : launcher_.collect()) record_end(ended);
+      if (signals_.stop_requests() > 0) {
+        pass_on_stop();
+      } else {
+        start_as_many_as_fit();
+      }
+      if (launcher_.idle()) return report();
+      end_stalled();
+      show_progress();
+      signals_.wait(options_.poll);
+    }
+  } catch (const SqliteError& error) {
+    end_all();
+    if (!error.may_pass()) throw;
+    return pause_for_store(error);
+  } catch (...) {
+    end_all();
+    throw;
+  }
+}
+
+/// Another program holds the store: the solvers go on meanwhile, and what has to be recorded waits. False
+/// when the user has asked to stop and has waited long enough; the run directories hold what was not
+/// recorded.
+bool Runner::wait_for_store() {
+  constexpr double kPauseSeconds = 5.0;  // a longer time without a lock ends the matter
+  const double now = monotonic_seconds();
+  if (now - locked_seen_at_ > kPauseSeconds) {
+    locked_since_ = now;
+    progress_.event("another program holds results.db; waiting for it, the solvers go on",
+                    Progress::Kind::kBad);
+  }
+  locked_seen_at_ = now;
+  if (signals_.stop_requests() > 0) {
+    pass_on_stop();
+    if (now - locked_since_ > options_.store_seconds) return false;
+  } else {
+    locked_since_ = now;
+  }
+  signals_.wait(options_.poll);
+  return true;
+}
+
+/// Nothing is lost: the run directories are the truth, and the next run records from them.
+RunnerReport Runner::pause_for_store(const SqliteError& error) {
+  const std::string reason = std::string("the results store cannot be written: ") + error.what();
+  progress_.event("paused: " + reason, Progress::Kind::kBad);
+  book_.pause_unfinished("paused: " + reason);
+  return report();
+}
+
+/// A history that cannot be written is no reason to stop: the store has it.
+void Runner::keep_history(const CampaignCase& one) {
+  const std::string& id = one.definition.id;
+  try {
+    write_history(book_.files_of(one), id, store_.past_attempts(id));
+  } catch (const std::system_error& error) {
+    progress_.event(one.definition.label + ": " + error.what(), Progress::Kind::kBad);
+  }
+}
+
+/// What an earlier runner left: its solvers adopted or ended, the store brought up to the run directories.
+bool Runner::take_stock() {
+  const auto& cases = book_.campaign().cases;
+  store_.record_campaign(book_.campaign());
+  const bool ready = end_what_is_not_adopted();
+  for (const CampaignCase& one : cases) {
+    if (ready && !working_.contains(one.definition.id)) {
+      import_history(store_, one, book_.files_of(one), launcher_);
+      store_.forgive(one.definition.id);  // whoever runs the campaign again asks for another try
+    }
+    book_.look_at(one);
+    if (working_.contains(one.definition.id)) book_.mark_running(one);
+  }
+  if (!ready) return false;
+  book_.look_at_precursors();
+  for (const CampaignCase& one : cases) {
+    if (book_.seen(one).state == CaseState::kFinished) deliver_result(one);
+  }
+  return true;
+}
+
+bool Runner::end_what_is_not_adopted() {
+  std::vector<WorkPlace> others;
+  for (const CampaignCase& one : book_.campaign().cases) {
+    if (!adopt(one)) others.push_back({one.definition.label, book_.files_of(one)});
+  }
+  return end_orphans(others, launcher_, options_.grace, signals_, progress_);
+}
+
+/// True when an attempt of an earlier softwall goes on, and is watched from now on like one of our own.
+bool Runner::adopt(const CampaignCase& one) {
+  const std::string& id = one.definition.id;
+  const RunFiles run = book_.files_of(one);
+  const auto record = read_run_record(run);
+  if (!record || record->case_id != id || store_.attempts(id) != record->attempt) return false;
+  if (launcher_.presence(run.directory, record->handle) == Presence::kGone) return false;
+  const LaunchRequest request{id, run.directory, record->attempt, one.ranks,
+                              book_.campaign().execution.walltime_seconds};
+  if (!launcher_.adopt(request, record->handle)) return false;
+  AttemptWatch& watch = working_[id];
+  watch.attempt = record->attempt;
+  watch.ranks = one.ranks;
+  watch.handle = record->handle;
+  watch.moved_at = monotonic_seconds();
+  progress_.event(one.definition.label +
+                  ": an earlier softwall started it and it goes on; waiting for its end");
+  return true;
+}
+
+void Runner::start_as_many_as_fit() {
+  for (const Action& action : plan(book_.campaign(), book_.observations(), free_cores())) start(action);
+}
+
+void Runner::start(const Action& action) {
+  const CampaignCase& one = book_.find(action.case_id);
+  const RunFiles run = book_.files_of(one);
+  try {
+    prepare_run_directory(one.definition, run, action.initial_checkpoint);
+  } catch (const std::runtime_error& error) {
+    pause(one, error.what());
+    return;
+  }
+  launch(one, action, book_.check(one));
+}
+
+/// Not again before a person has run the campaign again.
+void Runner::pause(const CampaignCase& one, const std::string& reason) {
+  book_.pause(one, reason);
+  progress_.event(one.definition.label + ": paused: " + reason, Progress::Kind::kBad);
+  book_.look_at(one);
+}
+
+void Runner::launch(const CampaignCase& one, const Action& action, const Ladder& ladder) {
+  const std::string& id = one.definition.id;
+  const RunFiles run = book_.files_of(one);
+  const std::string from =
+      ladder.newest ? ladder.newest->lexically_relative(run.directory).string() : std::string();
+  // The intent is on disk before anything is started: no attempt is ever unknown.
+  const int attempt = store_.begin_attempt(id, {host_name(), action.ranks, from});
+  const std::int64_t first_step = ladder.newest ? ladder.header.step : 0;
+  try {
+    const Handle handle = launcher_.start(
+        {id, run.directory, attempt, action.ranks, book_.campaign().execution.walltime_seconds});
+    working_[id] = {attempt,      action.ranks,        handle,      first_step,
+                    std::nullopt, monotonic_seconds(), std::nullopt};
+    write_run_record(run, {id, attempt, handle, host_name(), utc_now()});
+    store_.attempt_started(id, attempt, handle);
+  } catch (const std::runtime_error& error) {
+    if (working_.contains(id)) throw;  // it runs, only its record failed: a matter for end_all()
+    AttemptEnd end;
+    end.outcome = AttemptOutcome::kNotStarted;
+    end.reason = error.what();
+    end.step = first_step;
+    store_.end_attempt(id, attempt, end);
+    store_.set_state(id, observe_files(one, run).state, end.reason);
+    pause(one, end.reason);
+    return;
+  }
+  book_.mark_running(one);
+  progress_.event(describe_start(one, action.ranks, ladder));
+}
+
+void Runner::record_end(const EndedAttempt& ended) {
+  const CampaignCase& one = book_.find(ended.case_id);
+  const AttemptWatch watch = working_.at(ended.case_id);
+  working_.erase(ended.case_id);
+  AttemptEnd end = describe_end(one, book_.files_of(one), watch.attempt, ended.exit_code);
+  const bool stopping = signals_.stop_requests() > 0;
+  if (watch.end && end.outcome != AttemptOutcome::kFinished) {
+    end.outcome = AttemptOutcome::kStalled;
+    end.reason = "made no step for " + describe_duration(options_.stall_seconds);
+  } else if (stopping && failed_by_itself(end.outcome) && end.outcome != AttemptOutcome::kIoFailure) {
+    end.outcome = AttemptOutcome::kInterrupted;
+    end.reason = "stopped on request before it had written a checkpoint";
+  } else if (!stopping && end.outcome == AttemptOutcome::kInterrupted && end.step <= watch.first_step) {
+    end.outcome = AttemptOutcome::kFailed;  // a limit too short for a single step would be retried for ever
+    end.reason = "interrupted before its first step (" + end.reason + ")";
+  }
+  store_.end_attempt(ended.case_id, watch.attempt, end);
+  keep_history(one);
+  record_state(one, end);
+}
+
+/// The state of a case after an attempt, in the store and for the plan; what a person should know about it.
+void Runner::record_state(const CampaignCase& one, const AttemptEnd& end) {
+  const std::string& id = one.definition.id;
+  const RunFiles run = book_.files_of(one);
+  store_.record_checkpoints(id, checkpoint_records(run));
+  Observation seen = observe_files(one, run);
+  if (failed_by_itself(end.outcome)) seen.state = CaseState::kFailed;
+  if (end.outcome == AttemptOutcome::kDiverged) seen.state = CaseState::kDiverged;
+  store_.set_state(id, seen.state, end.reason);
+  if (end.outcome == AttemptOutcome::kIoFailure) book_.pause(one, "disk full or I/O error: " + end.reason);
+  if (end.outcome == AttemptOutcome::kBadCase) book_.give_up(one, end.reason);
+  book_.look_at(one);
+  if (one.is_precursor) book_.look_at_precursors();
+  progress_.event(describe_end_of_attempt(one, end, book_.seen(one)),
+                  end.outcome == AttemptOutcome::kFinished      ? Progress::Kind::kGood
+                  : end.outcome == AttemptOutcome::kInterrupted ? Progress::Kind::kPlain
+                                                                : Progress::Kind::kBad);
+  if (book_.seen(one).state == CaseState::kFinished) deliver_result(one);
+}
+
+void Runner::deliver_result(const CampaignCase& one) {
+  const std::string& id = one.definition.id;
+  without_result_.erase(id);
+  try {
+    import_result(store_, one, book_.files_of(one));
+  } catch (const SqliteError&) {
+    throw;  // the store itself is in trouble: not a matter of this case
+  } catch (const std::runtime_error& error) {
+    without_result_[id] = std::string("finished, but without a result: ") + error.what();
+    progress_.event(one.definition.label + ": " + without_result_[id], Progress::Kind::kBad);
+  }
+}
+
+void Runner::ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level) {
+  launcher_.stop(book_.files_of(book_.find(case_id)).directory, watch.handle, level);
+}
+
+/// First request: checkpoint and end. Second: end within seconds. Third: end now.
+void Runner::pass_on_stop() {
+  const int asked = std::min(signals_.stop_requests(), 3);
+  const double now = monotonic_seconds();
+  if (asked > stop_passed_on_) {
+    progress_.event(describe_stop(asked, working_.size()));
+  } else if (now < stop_repeat_at_) {
+    return;
+  }
+  stop_passed_on_ = asked;
+  stop_repeat_at_ = now + kStopRepeatSeconds;
+  const StopLevel level = asked == 1   ? StopLevel::kCheckpoint
+                          : asked == 2 ? StopLevel::kTerminate
+                                       : StopLevel::kKill;
+  for (const auto& [id, watch] : working_) ask_to_end(id, watch, level);
+}
+
+void Runner::end_stalled() {
+  const double now = monotonic_seconds();
+  for (auto& [id, watch] : working_) {
+    const CampaignCase& one = book_.find(id);
+    const auto status = read_status(book_.files_of(one), id);
+    if (status && status->attempt == watch.attempt) watch.report(*status, now);
+    if (!watch.end && watch.is_stalled(now, options_.stall_seconds)) {
+      progress_.event(one.definition.label + ": no step for " + describe_duration(options_.stall_seconds) +
+                          "; ending this attempt",
+                      Progress::Kind::kBad);
+      watch.end.emplace(options_.grace, now);
+    }
+    if (!watch.end) continue;
+    if (const auto level = watch.end->due(now)) ask_to_end(id, watch, *level);
+  }
+}
+
+/// The manager cannot go on: every solver checkpoints and ends before the error is told.
+void Runner::end_all() {
+  StopLadder ladder(options_.grace, monotonic_seconds());
+  while (!launcher_.idle()) {
+    if (const auto level = ladder.due(monotonic_seconds())) {
+      for (const auto& [id, watch] : working_) ask_to_end(id, watch, *level);
+    }
+    signals_.wait(options_.poll);
+    for (const EndedAttempt& ended : launcher_.collect()) working_.erase(ended.case_id);
+  }
+}
+
+void Runner::show_progress() {
+  std::map<std::string, Status> reports;
+  for (const auto& [id, watch] : working_) {
+    if (watch.status) reports[id] = *watch.status;
+  }
+  const double now = monotonic_seconds();
+  if (!progress_.on_terminal() && now - told_at_ < kTellSeconds) return;
+  const double left =
+      remaining_seconds(book_.campaign(), book_.observations(), reports, book_.campaign().execution.cores);
+  const std::string line = describe_progress(book_.campaign(), book_.observations(), reports, left);
+  if (progress_.on_terminal()) {
+    progress_.draw(line);
+  } else {
+    if (told_at_ > 0) progress_.event(line);
+    told_at_ = now;
+  }
+}
+
+RunnerReport Runner::report() const {
+  return make_report(book_, without_result_, signals_.stop_requests() > 0);
+}
+
+int Runner::free_cores() const {
+  int busy = 0;
+  for (const auto& [id, watch] : working_) busy += watch.ranks;
+  return book_.campaign().execution.cores - busy;
+}
+
+}  // namespace softwall::campaign

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "campaign/core/campaign.hpp"
+#include "campaign/core/plan.hpp"
+#include "campaign/launch/launcher.hpp"
+#include "campaign/runner/attempt_watch.hpp"
+#include "campaign/runner/case_book.hpp"
+#include "campaign/runner/progress.hpp"
+#include "campaign/runner/runner_report.hpp"
+#include "campaign/store/store.hpp"
+#include "campaign/system/signals.hpp"
+
+namespace softwall::campaign {
+
+struct RunnerOptions {
+  double stall_seconds =
+      1800.0;  ///< an attempt without a new step for this long is ended; much longer than a step
+  StopGrace grace;
+  std::chrono::milliseconds poll{200};
+  double store_seconds = 10.0;  ///< how long a locked store is waited for once the user has asked to stop
+};
+
+/// Runs a campaign to its end: decides by plan(), starts by the launcher, records in the store.
+/// The caller holds the campaign's lock.
+class Runner {
+ public:
+  struct Parts {
+    Launcher& launcher;
+    Store& store;
+    Progress& progress;
+    Signals& signals;
+  };
+
+  Runner(Campaign campaign, std::filesystem::path folder, Parts parts, RunnerOptions options);
+  ~Runner();
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
+
+  /// Returns when nothing more can be done or the user asked to stop, and no solver is left. When the manager
+  /// itself fails, it lets every solver write a checkpoint before the exception leaves.
+  RunnerReport run();
+
+ private:
+  bool take_stock();
+  [[nodiscard]] bool end_what_is_not_adopted();
+  [[nodiscard]] bool adopt(const CampaignCase& one);
+  void start_as_many_as_fit();
+  void start(const Action& action);
+  void pause(const CampaignCase& one, const std::string& reason);
+  void launch(const CampaignCase& one, const Action& action, const Ladder& ladder);
+  void record_end(const EndedAttempt& ended);
+  void record_state(const CampaignCase& one, const AttemptEnd& end);
+  void deliver_result(const CampaignCase& one);
+  void ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level);
+  void pass_on_stop();
+  void end_stalled();
+  void end_all();
+  [[nodiscard]] bool wait_for_store();
+  [[nodiscard]] RunnerReport pause_for_store(const SqliteError& error);
+  void keep_history(const CampaignCase& one);
+  void show_progress();
+  [[nodiscard]] RunnerReport report() const;
+  [[nodiscard]] int free_cores() const;
+
+  Launcher& launcher_;
+  Store& store_;
+  Progress& progress_;
+  Signals& signals_;
+  RunnerOptions options_;
+
+  CaseBook book_;
+  std::map<std::string, AttemptWatch> working_;        ///< by case id
+  std::map<std::string, std::string> without_result_;  ///< finished, but its result could not be derived
+  int stop_passed_on_ = 0;
+  double stop_repeat_at_ = 0.0;
+  double told_at_ = 0.0;
+  double locked_since_ = 0.0;     ///< monotonic seconds when another program's lock was first in the way
+  double locked_seen_at_ = -1e9;  ///< and when it was last
+};
+
+}  // namespace softwall::campaign

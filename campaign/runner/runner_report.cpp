@@ -1,0 +1,34 @@
+#include "campaign/runner/runner_report.hpp"
+
+#include "campaign/core/plan.hpp"
+
+namespace softwall::campaign {
+
+RunnerReport make_report(const CaseBook& book, const std::map<std::string, std::string>& without_result,
+                         bool stopped) {
+  RunnerReport report;
+  report.cases = book.campaign().cases.size();
+  report.stopped = stopped;
+  for (const Decision& decision : decide(book.campaign(), book.observations())) {
+    const CampaignCase& one = book.find(decision.case_id);
+    const std::string& label = one.definition.label;
+    if (without_result.contains(decision.case_id)) {
+      report.failed.push_back({label, without_result.at(decision.case_id), one.directory});
+    } else if (decision.outlook == Outlook::kKept) {
+      ++report.finished;
+    } else if (book.paused().contains(decision.case_id)) {
+      report.unfinished.push_back({label, book.paused().at(decision.case_id), one.directory});
+    } else if (book.paused().contains(one.precursor_id)) {
+      report.unfinished.push_back({label, "waits for its precursor, which is paused", one.directory});
+    } else if (book.given_up().contains(decision.case_id)) {
+      report.failed.push_back({label, book.given_up().at(decision.case_id), one.directory});
+    } else if (decision.outlook == Outlook::kBlocked) {
+      report.failed.push_back({label, decision.reason, one.directory});
+    } else {
+      report.unfinished.push_back({label, decision.reason, one.directory});
+    }
+  }
+  return report;
+}
+
+}  // namespace softwall::campaign

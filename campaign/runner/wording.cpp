@@ -1,0 +1,80 @@
+#include "campaign/runner/wording.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "campaign/system/clock.hpp"
+#include "solver/case/time_comparison.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+std::string ranks_text(int ranks) { return std::to_string(ranks) + (ranks == 1 ? " rank" : " ranks"); }
+
+std::string place(double time, std::int64_t step) {
+  return "t = " + short_number(time) + " (step " + std::to_string(step) + ")";
+}
+
+}  // namespace
+
+std::string short_number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+std::string describe_start(const CampaignCase& one, int ranks, const Ladder& ladder) {
+  const std::string& label = one.definition.label;
+  const std::string goal = " to t = " + short_number(one.definition.run.end_time) + ", " + ranks_text(ranks);
+  if (!ladder.newest) return label + ": started" + goal;
+  return label + ": resumed from " + place(ladder.header.time, ladder.header.step) + goal;
+}
+
+std::string describe_end_of_attempt(const CampaignCase& one, const AttemptEnd& end, const Observation& seen) {
+  const std::string& label = one.definition.label;
+  const std::string because = end.reason.empty() ? "" : ": " + end.reason;
+  switch (end.outcome) {
+    case AttemptOutcome::kFinished:
+      return label + ": finished at " + place(seen.time, seen.step) +
+             (end.wall_seconds ? " after " + describe_duration(*end.wall_seconds) : std::string());
+    case AttemptOutcome::kInterrupted:
+      return label + ": " + (end.reason.empty() ? "interrupted" : end.reason) + "; safe at " +
+             place(seen.time, seen.step);
+    case AttemptOutcome::kDiverged:
+      return label + ": diverged" + because;
+    case AttemptOutcome::kIoFailure:
+      return label + ": paused, disk full or I/O error" + because + "; safe at " +
+             place(seen.time, seen.step);
+    default:
+      return label + ": attempt failed" + because + "; safe at " + place(seen.time, seen.step);
+  }
+}
+
+std::string describe_stop(int asked, std::size_t working) {
+  const std::string cases = std::to_string(working) + (working == 1 ? " case" : " cases");
+  if (working == 0) return "stopping";
+  if (asked == 1)
+    return "stopping: waiting for " + cases + " to write a checkpoint (Ctrl-C again: do not wait)";
+  if (asked == 2) return "ending " + cases + " within seconds (Ctrl-C again: at once)";
+  return "ending " + cases + " at once";
+}
+
+std::string describe_progress(const Campaign& campaign, const std::vector<Observation>& observations,
+                              const std::map<std::string, Status>& working, double seconds_left) {
+  const auto finished = std::ranges::count_if(
+      observations, [](const Observation& seen) { return seen.state == CaseState::kFinished; });
+  std::string line = std::to_string(finished) + "/" + std::to_string(campaign.cases.size()) + " finished";
+  std::string separator = " | ";
+  for (const CampaignCase& one : campaign.cases) {
+    const auto status = working.find(one.definition.id);
+    if (status == working.end()) continue;
+    const double percent = percent_done(status->second.time, one.definition.run.end_time);
+    line += separator + one.definition.label + " t=" + short_number(status->second.time) + " " +
+            std::to_string(static_cast<int>(percent)) + " %";
+    separator = ", ";
+  }
+  return line + " | about " + describe_duration(seconds_left) + " left";
+}
+
+}  // namespace softwall::campaign

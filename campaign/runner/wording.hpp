@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "campaign/core/attempt.hpp"
+#include "campaign/core/campaign.hpp"
+#include "campaign/observe/ladder.hpp"
+#include "solver/run_directory/status.hpp"
+
+/// What the runner says to people.
+namespace softwall::campaign {
+
+/// "G=0.5_mu=1: resumed from t = 12.3 (step 1230), 2 ranks"
+[[nodiscard]] std::string describe_start(const CampaignCase& one, int ranks, const Ladder& ladder);
+[[nodiscard]] std::string describe_end_of_attempt(const CampaignCase& one, const AttemptEnd& end,
+                                                  const Observation& seen);
+/// asked: how often the user has asked to stop.
+[[nodiscard]] std::string describe_stop(int asked, std::size_t working);
+/// "2/7 finished | G=1_mu=1 46 %, G=2_mu=1 12 % | about 3 min left"
+[[nodiscard]] std::string describe_progress(const Campaign& campaign,
+                                            const std::vector<Observation>& observations,
+                                            const std::map<std::string, Status>& working,
+                                            double seconds_left);
+/// "12.3": a time or another number, short.
+[[nodiscard]] std::string short_number(double value);
+
+}  // namespace softwall::campaign

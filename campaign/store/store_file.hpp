@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+
+#include "campaign/store/sqlite.hpp"
+#include "campaign/system/file_system.hpp"
+
+/// From a campaign directory to an open, checked results.db.
+namespace softwall::campaign {
+
+/// kCreate makes a new store where there is none and opens an existing one like kReadWrite.
+/// A file that is there but is no store of this program is refused in every mode and never touched.
+enum class OpenMode { kCreate, kReadWrite, kReadOnly };
+
+/// results.db of a campaign directory, whether it exists or not.
+[[nodiscard]] std::filesystem::path store_path(const std::filesystem::path& campaign_directory);
+
+/// results.db of a campaign directory, opened as asked, of the present format and set up for safe writing.
+/// Throws SqliteError; a file that is refused is left as it was.
+[[nodiscard]] Connection open_store_file(const std::filesystem::path& campaign_directory, OpenMode mode);
+
+/// Journal, synchronisation and foreign keys of a connection that writes.
+void set_up_for_writing(Connection& connection, JournalMode journal);
+
+}  // namespace softwall::campaign

@@ -1,0 +1,44 @@
+#include "campaign/system/file_system.hpp"
+
+#include <sys/vfs.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+namespace softwall::campaign {
+
+namespace {
+
+/// From statfs(2) and linux/magic.h; numbers because not every libc names them all.
+constexpr std::array<long, 9> kLocalTypes = {
+    0xEF53,      // ext2, ext3, ext4
+    0x58465342,  // XFS
+    0x9123683E,  // Btrfs
+    0x01021994,  // tmpfs
+    0x858458F6,  // ramfs
+    0x2FC12FC1,  // ZFS
+    0xF2F52010,  // F2FS
+    0x3153464A,  // JFS
+    0xCA451A4E,  // bcachefs
+};
+
+}  // namespace
+
+JournalMode journal_mode_for_type(long file_system_type) {
+  const bool local = std::find(kLocalTypes.begin(), kLocalTypes.end(), file_system_type) != kLocalTypes.end();
+  return local ? JournalMode::kWriteAheadLog : JournalMode::kRollback;
+}
+
+JournalMode journal_mode_for(const std::filesystem::path& path) {
+  struct statfs answer {};
+  if (::statfs(path.c_str(), &answer) != 0) {
+    throw std::system_error(errno, std::generic_category(),
+                            path.string() + ": cannot ask for the file system");
+  }
+  return journal_mode_for_type(static_cast<long>(answer.f_type));
+}
+
+}  // namespace softwall::campaign

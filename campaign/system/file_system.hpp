@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+
+namespace softwall::campaign {
+
+enum class JournalMode {
+  kWriteAheadLog,  ///< readers and the writer do not wait for each other; needs shared memory: local disks
+                   ///< only
+  kRollback,       ///< works wherever file locks do
+};
+
+/// By the type that statfs(2) names. Only file systems known to be local get the write-ahead log: a network
+/// file system we have not heard of, FUSE or an overlay of unknown layers would otherwise damage the store in
+/// silence.
+[[nodiscard]] JournalMode journal_mode_for_type(long file_system_type);
+
+/// Of the file system that holds path. Throws std::system_error when it cannot be asked.
+[[nodiscard]] JournalMode journal_mode_for(const std::filesystem::path& path);
+
+}  // namespace softwall::campaign

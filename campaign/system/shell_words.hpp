@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace softwall::campaign {
+
+/// A text as one word of a shell (POSIX sh, bash): as it is where that is plain, else in single quotes; with
+/// control characters in $'...', so that a terminal shows the command that it takes.
+[[nodiscard]] std::string shell_word(const std::string& text);
+
+/// "softwall resume '/data/soft walls'": what a person may copy and run.
+[[nodiscard]] std::string softwall_command(const std::string& command, const std::filesystem::path& path);
+
+}  // namespace softwall::campaign

@@ -1,0 +1,82 @@
+#include "campaign/tables/measured_cases.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace softwall::campaign {
+
+namespace {
+
+constexpr int kMostDecimals = 4;
+constexpr std::size_t kMostCharacters = 16;  // what keeps the widest table on its page
+
+constexpr std::string_view kCases = R"sql(
+SELECT r.label, r.state, r.stale_reason, r.note, r.grid, r.G, r.viscosity_ratio, r.reynolds,
+  iif(c.flow = 'rigid_channel', 0.0, json_extract(c.physics, '$.domain.layer_height')),
+  r.window_start, r.window_end, r.end_time, r.case_id, c.flow
+FROM results r JOIN cases c ON c.case_id = r.case_id
+WHERE r.in_campaign = 1
+ORDER BY r.G IS NOT NULL, r.viscosity_ratio = 1 DESC, r.viscosity_ratio, r.G DESC, r.case_id
+)sql";
+
+std::string fixed(double value, int decimals) {
+  std::array<char, 64> buffer{};
+  const int length = std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
+  return {buffer.data(), static_cast<std::size_t>(length)};
+}
+
+std::string three_digits(double value) {
+  std::array<char, 32> buffer{};
+  const int length = std::snprintf(buffer.data(), buffer.size(), "%.3g", value);
+  return {buffer.data(), static_cast<std::size_t>(length)};
+}
+
+int decimals_for(double ci95) {
+  if (!(ci95 > 0.0) || !std::isfinite(ci95)) return kMostDecimals;
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(ci95))), 0, kMostDecimals);
+}
+
+void read_values(Connection& store, const std::string& case_id, MeasuredCase& result) {
+  Statement rows = store.query("SELECT quantity, value, ci95 FROM quantities WHERE case_id = ?", case_id);
+  while (rows.step()) result.values[rows.text(0)] = {rows.optional_real(1), rows.optional_real(2)};
+}
+
+}  // namespace
+
+std::vector<MeasuredCase> measured_cases(Connection& store) {
+  Statement rows = store.query(kCases);
+  std::vector<MeasuredCase> cases;
+  while (rows.step()) {
+    MeasuredCase found;
+    found.label = rows.text(0);
+    found.state = rows.text(1);
+    found.stale_reason = rows.text(2);
+    found.note = rows.text(3);
+    found.grid = rows.text(4);
+    found.g = rows.optional_real(5);
+    found.viscosity_ratio = rows.optional_real(6);
+    found.reynolds = rows.real(7);
+    found.layer_height = rows.real(8);
+    found.window_start = rows.optional_real(9);
+    found.window_end = rows.optional_real(10);
+    found.end_time = rows.real(11);
+    found.flow = rows.text(13);
+    read_values(store, rows.text(12), found);
+    cases.push_back(std::move(found));
+  }
+  return cases;
+}
+
+std::string measured_text(const MeasuredValue& measured, int decimals) {
+  if (!measured.value) return "-";
+  const int needed = measured.ci95 ? decimals_for(*measured.ci95) : decimals;
+  const auto text_with = [&](const auto& text_of) {
+    return text_of(*measured.value) + (measured.ci95 ? " +- " + text_of(*measured.ci95) : " (*)");
+  };
+  const std::string text = text_with([needed](double value) { return fixed(value, needed); });
+  return text.size() <= kMostCharacters ? text : text_with(three_digits);
+}
+
+}  // namespace softwall::campaign

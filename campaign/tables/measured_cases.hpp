@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/store/sqlite.hpp"
+
+namespace softwall::campaign {
+
+struct MeasuredValue {
+  std::optional<double> value, ci95;
+};
+
+/// A case of the present sweep as the table of results shows it.
+struct MeasuredCase {
+  std::string label, flow, state, stale_reason, note, grid;
+  std::optional<double> g, viscosity_ratio;  ///< empty: rigid walls
+  double reynolds = 0.0;
+  double layer_height = 0.0;                       ///< [h]; 0: rigid walls
+  std::optional<double> window_start, window_end;  ///< [h/U_b]; empty: nothing measured yet
+  double end_time = 0.0;                           ///< [h/U_b]
+  std::map<std::string, MeasuredValue> values;     ///< by column of `results`
+};
+
+/// In the order of the paper's tables; cases left over from an earlier sweep are left out.
+[[nodiscard]] std::vector<MeasuredCase> measured_cases(Connection& store);
+
+/// "240.5 +- 3.2": as many decimals as two digits of the interval call for, at most 16 characters.
+/// "240.52 (*)": without interval, with so many decimals. "-": no value.
+[[nodiscard]] std::string measured_text(const MeasuredValue& measured, int decimals);
+
+}  // namespace softwall::campaign

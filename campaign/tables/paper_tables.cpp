@@ -1,0 +1,191 @@
+#include "campaign/tables/paper_tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <ostream>
+#include <span>
+
+#include "analysis/log_law.hpp"
+#include "campaign/store/store_file.hpp"
+#include "campaign/store/text_width.hpp"
+#include "campaign/tables/measured_cases.hpp"
+#include "campaign/tables/paper_values.hpp"
+
+/// The page: a preface, then for each reading of G both tables, then how each case was measured.
+namespace softwall::campaign {
+
+namespace {
+
+constexpr std::size_t kPageWidth = 116;
+constexpr std::size_t kFirstColumnWidth = 28;
+constexpr double kPaperReynolds = 2800.0;
+constexpr double kPaperLayerHeight = 0.5;  ///< [h]
+constexpr double kSameParameter = 1e-9;    ///< relative; a sweep may compute its points
+
+struct Quantity {
+  const char* column;
+  const char* heading;
+  int decimals;  ///< of a measured value without interval: one more than the paper prints
+};
+constexpr std::array<Quantity, 4> kTable1 = {
+    {{"re_tau_w", "Re_tau^w", 1}, {"re_tau", "Re_tau", 1}, {"u_max", "u_M/U_b", 3}, {"y_max", "y_M/h", 3}}};
+constexpr std::array<Quantity, 5> kTable2 = {{{"d", "d/h", 3},
+                                              {"k_plus_dk", "k+Dk", 3},
+                                              {"delta_u_plus", "DU+", 1},
+                                              {"delta_max", "delta/h", 4},
+                                              {"delta_rms", "delta'/h", 4}}};
+
+struct Reading {
+  const char* title;
+  std::optional<double> PaperCase::*g;
+};
+constexpr std::array<Reading, 2> kReadings = {
+    {{"READING \"TABLE\": G as the paper's tables print it, 4.0, 2.0, 1.0, 0.5", &PaperCase::g_table},
+     {"READING \"TEXT\": G as the paper's text says, 2.0, 1.0, 0.5, 0.25 (half of the tables')",
+      &PaperCase::g_text}}};
+
+/// Line breaks are made anew when it is written. The constant of the log law follows.
+constexpr std::string_view kPreface = R"(
+beside tables 1 and 2 of M. E. Rosti and L. Brandt, Numerical simulation of turbulent channel flow over a viscous
+hyper-elastic wall, J. Fluid Mech. 830 (2017). The paper contradicts itself on G, so every case is shown beside its
+values under both readings. Bulk Reynolds number 2800; lengths in h, velocities in U_b. "value +- half width" is a
+95 % confidence interval; (*) marks a value without one, and the last section says why. Re_tau^w: rigid wall;
+Re_tau: elastic wall; u_M, y_M: maximum of the mean velocity and its place, from the centre plane; delta, delta':
+maximum and rms of the wall's deformation; d, k+Dk, DU+: log law at the elastic wall with the constant)";
+
+bool is_same(std::optional<double> a, std::optional<double> b) {
+  if (!a || !b) return !a && !b;
+  return std::abs(*a - *b) <= kSameParameter * std::abs(*b);
+}
+
+/// The paper has channels of one Reynolds number and one layer; other cases have no counterpart in it.
+bool is_comparable(const MeasuredCase& measured) {
+  const bool is_channel = measured.flow == "rigid_channel" || measured.flow == "elastic_wall";
+  return is_channel && is_same(measured.reynolds, kPaperReynolds) &&
+         (!measured.g || is_same(measured.layer_height, kPaperLayerHeight));
+}
+
+bool is_match(const MeasuredCase& measured, const PaperCase& paper, const Reading& reading) {
+  return is_comparable(measured) && is_same(measured.g, paper.*reading.g) &&
+         is_same(measured.viscosity_ratio, paper.viscosity_ratio);
+}
+
+std::string short_number(std::optional<double> value) {
+  if (!value) return "-";
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%g", *value);
+  return buffer.data();
+}
+
+using Row = std::vector<std::string>;
+
+/// "G3         G=1     mu=10", in the manner of the labels.
+std::string paper_name(const PaperCase& paper, const Reading& reading) {
+  std::array<char, 64> buffer{};
+  if (!paper.viscosity_ratio) {
+    std::snprintf(buffer.data(), buffer.size(), "%-10s rigid walls", paper.name.c_str());
+  } else {
+    std::snprintf(buffer.data(), buffer.size(), "%-10s G=%-5s mu=%s", paper.name.c_str(),
+                  short_number(paper.*reading.g).c_str(), short_number(paper.viscosity_ratio).c_str());
+  }
+  return buffer.data();
+}
+
+Row paper_row(const PaperCase& paper, const Reading& reading, std::span<const Quantity> quantities) {
+  Row row = {paper_name(paper, reading)};
+  for (const Quantity& quantity : quantities) {
+    const auto printed = paper.printed.find(quantity.column);
+    row.push_back(printed == paper.printed.end() || printed->second.empty() ? "-" : printed->second);
+  }
+  return row;
+}
+
+Row measured_row(const MeasuredCase& measured, std::span<const Quantity> quantities) {
+  const std::string state = measured.state == "finished" ? "" : " (" + measured.state + ")";
+  Row row = {shortened("  " + printable(measured.label), kFirstColumnWidth - state.size()) + state};
+  for (const Quantity& quantity : quantities) {
+    const auto value = measured.values.find(quantity.column);
+    row.push_back(value == measured.values.end() ? "-" : measured_text(value->second, quantity.decimals));
+  }
+  return row;
+}
+
+void write_comparison(std::ostream& out, const Reading& reading, std::span<const Quantity> quantities,
+                      const std::vector<MeasuredCase>& cases) {
+  std::vector<Row> rows = {{"paper's case, then ours"}};
+  std::vector<Column> columns = {{Alignment::kLeft, kFirstColumnWidth}};
+  for (const Quantity& quantity : quantities) {
+    rows[0].emplace_back(quantity.heading);
+    columns.push_back({Alignment::kRight});
+  }
+  for (const PaperCase& paper : paper_cases()) {
+    rows.push_back(paper_row(paper, reading, quantities));
+    const std::size_t before = rows.size();
+    for (const MeasuredCase& measured : cases) {
+      if (is_match(measured, paper, reading)) rows.push_back(measured_row(measured, quantities));
+    }
+    if (rows.size() == before) rows.push_back({"  (not in this campaign)"});
+  }
+  write_aligned(out, rows, columns);
+}
+
+void write_reading(std::ostream& out, const Reading& reading, const std::vector<MeasuredCase>& cases) {
+  out << "\n" << reading.title << "\n\nTable 1\n";
+  write_comparison(out, reading, kTable1, cases);
+  out << "\nTable 2\n";
+  write_comparison(out, reading, kTable2, cases);
+}
+
+void write_preface(std::ostream& out, const std::string& campaign) {
+  const std::string title = "Campaign " + printable(campaign) + " " + std::string(kPreface);
+  out << wrapped(title, kPageWidth) << " B = " << short_number(analysis::kAdditiveConstant) << ".\n";
+}
+
+std::string window_text(const MeasuredCase& measured) {
+  if (!measured.window_start) return "nothing measured yet";
+  return "mean over t = " + short_number(measured.window_start) + " to " + short_number(measured.window_end) +
+         " of " + short_number(measured.end_time) + " h/U_b";
+}
+
+bool has_counterpart(const MeasuredCase& measured) {
+  for (const PaperCase& paper : paper_cases()) {
+    for (const Reading& reading : kReadings) {
+      if (is_match(measured, paper, reading)) return true;
+    }
+  }
+  return false;
+}
+
+void write_case_notes(std::ostream& out, const std::vector<MeasuredCase>& cases) {
+  out << "\nHOW EACH CASE WAS MEASURED\n";
+  for (const MeasuredCase& measured : cases) {
+    std::string text = printable(measured.label) + ": " + measured.state + ", grid " + measured.grid + ", " +
+                       window_text(measured);
+    if (!measured.stale_reason.empty()) text += "; STALE: " + printable(measured.stale_reason);
+    if (!has_counterpart(measured)) text += "; no counterpart in the paper";
+    if (!measured.note.empty()) text += "; " + printable(measured.note);
+    out << wrapped(text, kPageWidth, "    ") << "\n";
+  }
+}
+
+}  // namespace
+
+void write_paper_tables(std::ostream& out, const std::filesystem::path& campaign_directory) {
+  Connection store = open_store_file(campaign_directory, OpenMode::kReadOnly);
+  const std::vector<MeasuredCase> cases = measured_cases(store);
+  Statement campaign = store.query("SELECT name FROM campaign");
+  const std::string name = campaign.step() ? campaign.text(0) : campaign_directory.string();
+  if (!cases.empty() && std::none_of(cases.begin(), cases.end(), has_counterpart)) {
+    out << wrapped("Campaign " + printable(name) + " has no case that the paper's tables show.", kPageWidth)
+        << "\n";
+  } else {
+    write_preface(out, name);
+    for (const Reading& reading : kReadings) write_reading(out, reading, cases);
+  }
+  write_case_notes(out, cases);
+}
+
+}  // namespace softwall::campaign

@@ -1,0 +1,168 @@
+#include "solver/run_directory/checkpoint_header.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cinttypes>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+
+#include "solver/case/bad_input.hpp"
+#include "solver/case/case_id.hpp"
+#include "solver/case/file_descriptor.hpp"
+#include "solver/case/hexadecimal.hpp"
+#include "solver/case/json_text.hpp"
+#include "solver/run_directory/checkpoint_digest.hpp"
+
+namespace softwall {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kFormat = 1;
+
+std::uint64_t from_hexadecimal(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  if (error != std::errc() || end != text.data() + text.size() || text.size() != 16)
+    throw std::runtime_error("its digest is not 16 hexadecimal digits");
+  return value;
+}
+
+/// Digest of the header itself: a flipped bit in its step or time would otherwise go unnoticed.
+std::string header_check(const json& object) {
+  const std::string text = canonical_text(object);
+  return hexadecimal(digest_piece(std::as_bytes(std::span(text))));
+}
+
+CheckpointHeader header_from(json object) {
+  const std::string check = object.at("check");
+  object.erase("check");
+  if (check != header_check(object)) throw std::runtime_error("its header is damaged");
+  CheckpointHeader header;
+  header.format = object.at("format");
+  if (header.format != kFormat)
+    throw std::runtime_error("it has format " + std::to_string(header.format) +
+                             ", this program reads format " + std::to_string(kFormat));
+  header.case_id = object.at("case_id");
+  header.step = object.at("step");
+  header.time = object.at("time");
+  header.bytes = object.at("bytes");
+  header.xxh3 = from_hexadecimal(object.at("xxh3"));
+  header.precision = object.at("precision");
+  header.grid = object.at("grid");
+  header.length = object.at("length");
+  header.git_revision = object.at("git_revision");
+  header.attempt = object.at("attempt");
+  header.ranks = object.at("ranks");
+  return header;
+}
+
+std::string header_text(const std::filesystem::path& file) {
+  const FileDescriptor descriptor(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (!descriptor) throw std::runtime_error("it cannot be opened: " + std::generic_category().message(errno));
+  struct stat status {};
+  if (::fstat(descriptor.get(), &status) != 0 || !S_ISREG(status.st_mode))
+    throw std::runtime_error("it is not a regular file");
+  std::string text(kCheckpointHeaderBytes, '\0');
+  if (::pread(descriptor.get(), text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
+    throw std::runtime_error("it is shorter than its header");
+  return text;
+}
+
+/// Throws std::runtime_error with what is wrong; the header is set as far as it was read.
+void verify(const std::filesystem::path& file, const std::string& case_id, CheckpointHeader& header) {
+  header = read_checkpoint_header(file);
+  if (header.case_id != case_id)
+    throw std::runtime_error("it belongs to case " + printable(header.case_id) + ", not to " + case_id);
+  const auto size = static_cast<std::int64_t>(std::filesystem::file_size(file));
+  if (size != header.bytes)
+    throw std::runtime_error("it has " + std::to_string(size) + " bytes, its header says " +
+                             std::to_string(header.bytes));
+  if (digest_file(file) != header.xxh3)
+    throw std::runtime_error("its contents do not match the digest in its header");
+}
+
+bool is_checkpoint_name(const std::string& name) {
+  constexpr std::string_view kBegin = "checkpoint-", kEnd = ".h5";
+  constexpr std::size_t kDigits = 9;
+  if (name.size() != kBegin.size() + kDigits + kEnd.size()) return false;
+  const auto digits = std::string_view(name).substr(kBegin.size(), kDigits);
+  return name.starts_with(kBegin) && name.ends_with(kEnd) &&
+         std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// Step in the header; -1 for an unreadable one, which thereby comes last.
+std::int64_t step_or_minus_one(const std::filesystem::path& file) {
+  try {
+    return read_checkpoint_header(file).step;
+  } catch (const std::runtime_error&) {
+    return -1;
+  }
+}
+
+}  // namespace
+
+std::string format_header(const CheckpointHeader& header) {
+  json object = {{"format", header.format},       {"case_id", header.case_id},
+                 {"step", header.step},           {"time", header.time},
+                 {"bytes", header.bytes},         {"xxh3", hexadecimal(header.xxh3)},
+                 {"precision", header.precision}, {"grid", header.grid},
+                 {"length", header.length},       {"git_revision", header.git_revision},
+                 {"attempt", header.attempt},     {"ranks", header.ranks}};
+  object["check"] = header_check(object);
+  std::string text = canonical_text(object);
+  if (text.size() >= kCheckpointHeaderBytes)
+    throw std::length_error("checkpoint header does not fit its block");
+  text.resize(kCheckpointHeaderBytes - 1, ' ');
+  return text + '\n';
+}
+
+CheckpointHeader read_checkpoint_header(const std::filesystem::path& file) {
+  try {
+    return header_from(parse_json(header_text(file), file.string()));
+  } catch (const BadInput&) {
+    throw std::runtime_error("its header is damaged");
+  } catch (const json::exception&) {
+    throw std::runtime_error("its header is incomplete");
+  }
+}
+
+CheckpointVerdict verify_checkpoint(const std::filesystem::path& file, const std::string& case_id) {
+  CheckpointVerdict verdict;
+  try {
+    verify(file, case_id, verdict.header);
+    verdict.valid = true;
+  } catch (const std::exception& error) {  // out of memory or an I/O error: the file cannot be used either
+    verdict.reason = file.filename().string() + ": " + error.what();
+  }
+  return verdict;
+}
+
+std::vector<std::filesystem::path> checkpoint_ladder(const RunFiles& run) {
+  std::vector<std::pair<std::int64_t, std::filesystem::path>> found;
+  std::error_code no_folder;
+  for (const auto& entry : std::filesystem::directory_iterator(run.checkpoints(), no_folder))
+    if (is_checkpoint_name(entry.path().filename().string()))
+      found.emplace_back(step_or_minus_one(entry.path()), entry.path());
+  std::sort(found.rbegin(), found.rend());
+  std::vector<std::filesystem::path> files;
+  for (auto& [step, file] : found) files.push_back(std::move(file));
+  return files;
+}
+
+void write_header(const std::filesystem::path& file, const CheckpointHeader& header) {
+  const std::string text = format_header(header);
+  FileDescriptor descriptor(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
+  const auto written = descriptor ? ::pwrite(descriptor.get(), text.data(), text.size(), 0) : -1;
+  if (written != static_cast<ssize_t>(text.size()) || !descriptor.close())
+    throw std::system_error(errno, std::generic_category(), "cannot write the header of " + file.string());
+}
+
+}  // namespace softwall

@@ -1,0 +1,31 @@
+#include "solver/run_directory/checkpoint_size.hpp"
+
+#include <cstddef>
+
+namespace softwall {
+namespace {
+
+/// Fields with values at the ny cell centers of a column, and on its ny + 1 faces.
+struct StoredFields {
+  int centers = 0, faces = 0;
+};
+
+/// What a checkpoint stores (time::fields_of names the fields; a test compares): velocity and pressure; for a
+/// solid the displacement of the reference map, or the solid fraction and the tensor B.
+StoredFields stored_fields(const Physics& physics) {
+  if (!physics.solid) return {3, 1};
+  return physics.solid->formulation == SolidFormulation::kReferenceMap ? StoredFields{5, 2}
+                                                                       : StoredFields{8, 3};
+}
+
+}  // namespace
+
+std::int64_t checkpoint_field_bytes(const Physics& physics) {
+  const StoredFields stored = stored_fields(physics);
+  const std::int64_t ny = physics.grid.ny();
+  const std::int64_t rows = stored.centers * ny + stored.faces * (ny + 1);
+  const std::size_t bytes = physics.precision == Precision::kSingle ? sizeof(float) : sizeof(double);
+  return rows * physics.grid.nx * physics.grid.nz * static_cast<std::int64_t>(bytes);
+}
+
+}  // namespace softwall

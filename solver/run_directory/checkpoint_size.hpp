@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+
+#include "solver/case/case.hpp"
+
+namespace softwall {
+
+/// Bytes of the fields in one checkpoint of this case, to know before a run whether they fit on the disk. The
+/// header, the statistics and HDF5's own tables come on top; they are small beside the fields of any real
+/// grid.
+[[nodiscard]] std::int64_t checkpoint_field_bytes(const Physics& physics);
+
+}  // namespace softwall

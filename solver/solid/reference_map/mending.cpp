@@ -1,0 +1,70 @@
+#include "solver/solid/reference_map/mending.hpp"
+
+#include <utility>
+
+#include "solver/grid/cell_loop.hpp"
+
+namespace softwall::solid::reference_map {
+
+namespace {
+
+grid::VectorField some_planes(Grid g, int planes) {
+  g.nz = planes;
+  return {g, 0, grid::Memory::kByPlane};
+}
+
+/// Half the way to the mean of the six neighbours.
+Real way_to_neighbours(const View<const Real>& q, int i, int j, int k) {
+  return (q(i + 1, j, k) + q(i - 1, j, k) + q(i, j + 1, k) + q(i, j - 1, k) + q(i, j, k + 1) +
+          q(i, j, k - 1)) /
+             12 -
+         q(i, j, k) / 2;
+}
+
+Real larger(Real a, Real b) { return a > b ? a : b; }
+
+}  // namespace
+
+Damage::Damage(const Grid& grid)
+    : ny_(grid.ny),
+      values_(grid, 1),
+      rows_(static_cast<std::size_t>(grid.nz + 1) * static_cast<std::size_t>(grid.ny), 0) {}
+
+Mending::Mending(const Grid& grid, int planes)
+    : grid_(grid), planes_(planes), moves_(some_planes(grid, planes)) {}
+
+/// A point moves with the worse of the two cells beside it.
+void Mending::find(const Damage& damage, const grid::VectorField& d, const RowsOfAPlane& rows) {
+  const auto x = d.x.view(), y = d.y.view(), z = d.z.view();
+  const auto to_x = moves_.x.view(), to_y = moves_.y.view(), to_z = moves_.z.view();
+  const auto worn = damage.view();
+  const int k = rows.k, slot = k % planes_;
+  for (int j = rows.j0; j < grid_.ny; ++j) {
+    if (!damage.touches(j, k)) continue;
+    const int below = j > rows.j0 ? j - 1 : j;
+    grid::for_each_cell({0, grid_.nx, j, j + 1, k, k + 1}, [=](int i, int, int) {
+      const Real here = worn(i, j, k);
+      to_x(i, j, slot) = larger(here, worn(i - 1, j, k)) * way_to_neighbours(x, i, j, k);
+      to_y(i, j, slot) = larger(here, worn(i, below, k)) * way_to_neighbours(y, i, j, k);
+      to_z(i, j, slot) = larger(here, worn(i, j, k - 1)) * way_to_neighbours(z, i, j, k);
+    });
+  }
+}
+
+/// d_y on the lower wall stays.
+void Mending::add(const Damage& damage, const RowsOfAPlane& rows, grid::VectorField& d) const {
+  const auto x = d.x.view(), y = d.y.view(), z = d.z.view();
+  const auto from_x = moves_.x.view(), from_y = moves_.y.view(), from_z = moves_.z.view();
+  const int k = rows.k, slot = k % planes_;
+  for (int j = rows.j0; j < grid_.ny; ++j) {
+    if (!damage.touches(j, k)) continue;
+    const Real on_y = j > 0 ? 1 : 0;
+    grid::for_each_cell({0, grid_.nx, j, j + 1, k, k + 1}, [=](int i, int, int) {
+      x(i, j, k) += from_x(i, j, slot);
+      y(i, j, k) += on_y * from_y(i, j, slot);
+      z(i, j, k) += from_z(i, j, slot);
+    });
+  }
+}
+
+}  // namespace softwall::solid::reference_map

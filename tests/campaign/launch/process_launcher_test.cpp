@@ -1,0 +1,190 @@
+#include "campaign/launch/process_launcher.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <thread>
+
+#include "campaign/launch/scratch.hpp"
+#include "campaign/system/clock.hpp"
+#include "campaign/system/process_identity.hpp"
+#include "solver/run_directory/exit_codes.hpp"
+#include "solver/run_directory/run_files.hpp"
+#include "tests/support/child_process.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+/// The launcher with small shell programs in the place of mpirun; the end-to-end tests use the real one.
+namespace softwall::campaign {
+namespace {
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+bool wait_until(const std::function<bool()>& condition, double seconds = 20) {
+  const double end = monotonic_seconds() + seconds;
+  while (!condition()) {
+    if (monotonic_seconds() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return true;
+}
+
+class ProcessLauncherTest : public ::testing::Test {
+ protected:
+  /// A launcher whose mpirun is a script with this body.
+  ProcessLauncher launcher_with(const std::string& body) {
+    return ProcessLauncher({folder_.write_script("mpirun", body), "/opt/softwall dns"});
+  }
+  LaunchRequest request(const std::string& name = "case one") {
+    std::filesystem::create_directories(folder_.path() / name);
+    return {"0123456789abcdef", folder_.path() / name, 3, 1, std::nullopt};
+  }
+  std::optional<EndedAttempt> wait_for_end(ProcessLauncher& launcher, double seconds = 20) {
+    std::optional<EndedAttempt> ended;
+    wait_until(
+        [&] {
+          for (const auto& attempt : launcher.collect()) ended = attempt;
+          return ended.has_value();
+        },
+        seconds);
+    return ended;
+  }
+  std::string log(const std::string& name = "case one") {
+    return read_text(RunFiles{folder_.path() / name}.log());
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(ProcessLauncherTest, HandsOverArgumentsWithoutAShell) {
+  auto launcher = launcher_with("for a in \"$@\"; do echo \"[$a]\"; done; exit 85");
+  auto what = request("$(touch pwned); 'x'");
+  what.wall_seconds = 90.7;
+  (void)launcher.start(what);
+  const auto ended = wait_for_end(launcher);
+  ASSERT_TRUE(ended);
+  EXPECT_EQ(ended->exit_code, static_cast<int>(ExitCode::kInterrupted));
+  EXPECT_EQ(ended->case_id, "0123456789abcdef");
+  EXPECT_TRUE(launcher.idle());
+  const std::string text = log("$(touch pwned); 'x'");
+  EXPECT_NE(text.find("[--bind-to]\n[none]\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("[-n]\n[1]\n[/opt/softwall dns]\n[" + what.run_directory.string() +
+                      "]\n[--attempt]\n[3]\n[--wall-seconds]\n[90.7]\n"),
+            std::string::npos)
+      << text;
+}
+
+TEST_F(ProcessLauncherTest, ALogIsAppendedTo) {
+  auto launcher = launcher_with("echo one attempt");
+  for (int i = 0; i < 2; ++i) {
+    (void)launcher.start(request());
+    ASSERT_TRUE(wait_for_end(launcher));
+  }
+  EXPECT_EQ(log(), "one attempt\none attempt\n");
+}
+
+TEST_F(ProcessLauncherTest, TemporaryFilesAreGoneAfterwards) {
+  auto launcher =
+      launcher_with("touch $TMPDIR/a $OMPI_MCA_btl_vader_backing_directory/b; echo $TMPDIR; kill -9 $$");
+  const Scratch scratch(request().run_directory);
+  (void)launcher.start(request());
+  const auto ended = wait_for_end(launcher);
+  ASSERT_TRUE(ended);
+  EXPECT_EQ(ended->exit_code, 128 + SIGKILL);
+  EXPECT_EQ(log(), scratch.session().string() + "\n");
+  EXPECT_FALSE(std::filesystem::exists(scratch.session()));
+  EXPECT_FALSE(std::filesystem::exists(scratch.shared_memory()));
+}
+
+TEST_F(ProcessLauncherTest, AMissingMpirunIsSaidAtOnce) {
+  ProcessLauncher launcher({folder_.path() / "nowhere", "/bin/true"});
+  EXPECT_THROW((void)launcher.start(request()), std::runtime_error);
+  EXPECT_TRUE(launcher.idle());
+}
+
+TEST_F(ProcessLauncherTest, StopLevelsReachTheProcess) {
+  auto launcher = launcher_with(
+      "trap 'echo usr1' USR1; trap 'echo term; exit 85' TERM; echo ready; while :; do sleep 0.05; done");
+  const auto what = request();
+  (void)launcher.start(what);
+  ASSERT_TRUE(wait_until([&] { return log().find("ready") != std::string::npos; }));
+  launcher.stop(what.run_directory, "", StopLevel::kCheckpoint);
+  ASSERT_TRUE(wait_until([&] { return log().find("usr1") != std::string::npos; }));
+  EXPECT_TRUE(launcher.collect().empty());
+  launcher.stop(what.run_directory, "", StopLevel::kTerminate);
+  const auto ended = wait_for_end(launcher);
+  ASSERT_TRUE(ended);
+  EXPECT_EQ(ended->exit_code, 85);
+}
+
+TEST_F(ProcessLauncherTest, AnotherLauncherSeesAndStopsTheAttemptToo) {
+  auto launcher = launcher_with("trap 'exit 85' USR1; echo ready; while :; do sleep 0.05; done");
+  const auto what = request();
+  const Handle handle = launcher.start(what);
+  ASSERT_TRUE(wait_until([&] { return log().find("ready") != std::string::npos; }));
+  ProcessLauncher later;
+  EXPECT_EQ(later.presence(what.run_directory, handle), Presence::kRunning);
+  EXPECT_FALSE(later.adopt(what, handle));
+  later.stop(what.run_directory, handle, StopLevel::kCheckpoint);
+  const auto ended = wait_for_end(launcher);
+  ASSERT_TRUE(ended);
+  EXPECT_EQ(ended->exit_code, 85);
+  EXPECT_EQ(later.presence(what.run_directory, handle), Presence::kGone);
+}
+
+TEST_F(ProcessLauncherTest, NothingResistsBeingKilled) {
+  auto launcher =
+      launcher_with("trap '' USR1 TERM; (setsid sleep 60 &); echo ready; while :; do sleep 0.05; done");
+  const auto what = request();
+  (void)launcher.start(what);
+  ASSERT_TRUE(wait_until([&] { return log().find("ready") != std::string::npos; }));
+  launcher.stop(what.run_directory, "", StopLevel::kTerminate);
+  launcher.stop(what.run_directory, "", StopLevel::kKill);
+  ASSERT_TRUE(wait_for_end(launcher));
+  EXPECT_TRUE(processes_of(what.run_directory).empty());
+}
+
+TEST_F(ProcessLauncherTest, AnAttemptLastsUntilItsLastRankIsGone) {
+  // mpirun is gone at once; a "rank" in a process group of its own still writes for a while
+  auto launcher = launcher_with("setsid sh -c 'sleep 1; echo last words' & exit 1");
+  const double start = monotonic_seconds();
+  (void)launcher.start(request());
+  ASSERT_TRUE(wait_for_end(launcher));
+  EXPECT_GE(monotonic_seconds() - start, 1.0);
+  EXPECT_EQ(log(), "last words\n");
+}
+
+TEST_F(ProcessLauncherTest, RanksThatStayBehindAreKilled) {
+  auto launcher = launcher_with("setsid sleep 60 & exit 1");
+  const auto what = request();
+  (void)launcher.start(what);
+  ASSERT_TRUE(wait_for_end(launcher));
+  EXPECT_TRUE(processes_of(what.run_directory).empty());
+}
+
+TEST_F(ProcessLauncherTest, TheSolverIsToldWhenTheRunnerIsKilled) {
+  const auto mpirun = folder_.write_script(
+      "mpirun", "trap 'echo told; exit 85' USR1; echo ready; while :; do sleep 0.05; done");
+  const auto what = request();
+  test::ChildProcess runner([&] {
+    ProcessLauncher launcher({mpirun, "/bin/true"});
+    (void)launcher.start(what);
+    while (true) pause();
+    return 0;
+  });
+  ASSERT_TRUE(wait_until([&] { return log().find("ready") != std::string::npos; }));
+  runner.send(SIGKILL);
+  EXPECT_TRUE(wait_until([&] { return log().find("told") != std::string::npos; }));
+  EXPECT_TRUE(wait_until([&] { return processes_of(what.run_directory).empty(); }));
+}
+
+}  // namespace
+}  // namespace softwall::campaign

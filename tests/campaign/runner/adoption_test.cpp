@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "campaign/observe/observe.hpp"
+#include "campaign/observe/run_reports.hpp"
+#include "campaign/runner/runner.hpp"
+#include "solver/run_directory/statistics_file.hpp"
+#include "tests/analysis/samples.hpp"
+#include "tests/campaign/core/examples.hpp"
+#include "tests/campaign/observe/run_directory_files.hpp"
+#include "tests/campaign/runner/fake_batch_system.hpp"
+#include "tests/campaign/store/examples.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+/// Attempts that an earlier softwall left with a batch system, which does not end them with it.
+namespace softwall::campaign {
+namespace {
+
+class AdoptionTest : public ::testing::Test {
+ protected:
+  AdoptionTest() {
+    system_.play = [this](const LaunchRequest& request) { finish(request); };
+  }
+
+  void finish(const LaunchRequest& request) const {
+    const RunFiles run{request.run_directory};
+    const auto one = std::ranges::find_if(
+        campaign_.cases, [&](const auto& each) { return each.definition.id == request.case_id; });
+    const double end_time = one->definition.run.end_time;
+    test::write_checkpoint(run, request.case_id, 1000, end_time);
+    auto statistics = analysis::samples::elastic_statistics({}, 20);
+    statistics.case_id = request.case_id;
+    analysis::write_statistics(run.statistics(), statistics);
+    test::write_summary(run, request.case_id, request.attempt, "finished", 1000, end_time);
+  }
+
+  /// What an earlier softwall had done when it was killed: the precursor's first attempt is with the system.
+  Handle leave_precursor_behind() {
+    const CampaignCase& precursor = campaign_.cases.front();
+    const RunFiles run = run_files(folder_.path(), precursor);
+    std::filesystem::create_directories(run.directory);
+    Store store = Store::open(folder_.path(), OpenMode::kCreate);
+    store.record_campaign(campaign_);
+    const int attempt = store.begin_attempt(precursor.definition.id, {"login node", 1, ""});
+    const Handle handle = system_.submit({precursor.definition.id, run.directory, attempt, 1, std::nullopt});
+    write_run_record(run, {precursor.definition.id, attempt, handle, "login node", "2026-01-01T00:00:00Z"});
+    store.attempt_started(precursor.definition.id, attempt, handle);
+    return handle;
+  }
+
+  RunnerReport run(Launcher& launcher, RunnerOptions options = {}) {
+    options.poll = std::chrono::milliseconds(1);
+    Signals signals;
+    Progress progress("");
+    Store store = Store::open(folder_.path(), OpenMode::kCreate);
+    return Runner(campaign_, folder_.path(), {launcher, store, progress, signals}, options).run();
+  }
+
+  [[nodiscard]] const std::string& precursor_id() const { return campaign_.cases.front().definition.id; }
+
+  test::TemporaryFolder folder_;
+  Campaign campaign_ = tests::campaign_of(tests::elastic_campaign());
+  test::BatchSystem system_;
+};
+
+TEST_F(AdoptionTest, AJobOfAnEarlierSoftwallIsWaitedForAndNotSubmittedAgain) {
+  leave_precursor_behind();
+  test::BatchLauncher launcher(system_);
+  const RunnerReport report = run(launcher);
+  EXPECT_EQ(report.finished, 5U);
+  EXPECT_EQ(launcher.adopted, std::vector{precursor_id()});
+  EXPECT_EQ(launcher.started.size(), 4U);
+  EXPECT_EQ(std::ranges::count(launcher.started, precursor_id()), 0);
+  EXPECT_TRUE(launcher.stops.empty());
+  Store store = Store::open(folder_.path(), OpenMode::kReadOnly);
+  EXPECT_EQ(tests::answer(store,
+                          "SELECT group_concat(attempt || ' ' || outcome || ' ' || handle) FROM attempts"
+                          " WHERE case_id = '" +
+                              precursor_id() + "'"),
+            "1 finished job 1");
+}
+
+TEST_F(AdoptionTest, AQueuedJobCountsAsRunning) {
+  leave_precursor_behind();
+  const test::BatchLauncher launcher(system_);
+  EXPECT_EQ(observe_all(campaign_, folder_.path(), launcher).front().state, CaseState::kRunning);
+}
+
+TEST_F(AdoptionTest, AJobThatHasEndedMeanwhileIsNotAdopted) {
+  leave_precursor_behind();
+  system_.pass_time();
+  system_.pass_time();
+  test::BatchLauncher launcher(system_);
+  EXPECT_EQ(run(launcher).finished, 5U);
+  EXPECT_TRUE(launcher.adopted.empty());
+  EXPECT_EQ(launcher.started.size(), 4U);
+}
+
+TEST_F(AdoptionTest, SilenceIsNotTakenForAnEnd) {
+  leave_precursor_behind();
+  system_.answers = false;
+  const test::BatchLauncher silent(system_);
+  EXPECT_TRUE(observe_all(campaign_, folder_.path(), silent).front().running);
+  test::BatchLauncher launcher(system_);
+  EXPECT_EQ(run(launcher).finished, 5U);
+  EXPECT_EQ(std::ranges::count(launcher.started, precursor_id()), 0);
+}
+
+TEST_F(AdoptionTest, AnAdoptedJobIsStoppedByItsHandle) {
+  const Handle handle = leave_precursor_behind();
+  system_.play = [](const LaunchRequest&) {};
+  test::BatchLauncher launcher(system_);
+  RunnerOptions options;
+  options.stall_seconds = -1;  // at once
+  EXPECT_EQ(run(launcher, options).failed.size(), 5U);
+  ASSERT_FALSE(launcher.stops.empty());
+  EXPECT_EQ(launcher.stops.front().first, handle);
+}
+
+TEST_F(AdoptionTest, WithoutALimitOfItsOwnASchedulerGetsEverything) {
+  const test::BatchLauncher launcher(system_);
+  EXPECT_EQ(cores_to_use(3, launcher), 3);
+  EXPECT_GT(cores_to_use(0, launcher), 1'000'000);
+}
+
+}  // namespace
+}  // namespace softwall::campaign

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "campaign/launch/launcher.hpp"
+
+/// A batch system and its launcher, as an exercise of the border: jobs wait in a queue and go on without the
+/// softwall that submitted them.
+namespace softwall::test {
+
+/// What goes on outside softwall, whichever softwall asks.
+struct BatchSystem {
+  struct Job {
+    campaign::LaunchRequest request;
+    campaign::Presence state = campaign::Presence::kQueued;
+  };
+  std::map<campaign::Handle, Job> jobs;                      ///< by number
+  bool answers = true;                                       ///< false: its commands fail for the time being
+  std::function<void(const campaign::LaunchRequest&)> play;  ///< what the solver of a job leaves
+
+  campaign::Handle submit(const campaign::LaunchRequest& request) {
+    const campaign::Handle number = "job " + std::to_string(jobs.size() + 1);
+    jobs[number] = {request};
+    return number;
+  }
+  /// Every job moves on: from the queue to a node, from there to its end.
+  void pass_time() {
+    for (auto& [number, job] : jobs) {
+      if (job.state == campaign::Presence::kRunning) {
+        play(job.request);
+        job.state = campaign::Presence::kGone;
+      }
+      if (job.state == campaign::Presence::kQueued) job.state = campaign::Presence::kRunning;
+    }
+  }
+};
+
+class BatchLauncher final : public campaign::Launcher {
+ public:
+  explicit BatchLauncher(BatchSystem& system) : system_(system) {}
+
+  void prepare(const std::filesystem::path&) override {}
+  campaign::Handle start(const campaign::LaunchRequest& request) override {
+    const campaign::Handle number = system_.submit(request);
+    started.push_back(request.case_id);
+    watched_.insert(number);
+    return number;
+  }
+  bool adopt(const campaign::LaunchRequest& request, const campaign::Handle& handle) override {
+    adopted.push_back(request.case_id);
+    watched_.insert(handle);
+    return true;
+  }
+  std::vector<campaign::EndedAttempt> collect() override {
+    system_.pass_time();
+    std::vector<campaign::EndedAttempt> ended;
+    std::erase_if(watched_, [&](const campaign::Handle& number) {
+      const auto& job = system_.jobs.at(number);
+      if (job.state != campaign::Presence::kGone) return false;
+      ended.push_back({job.request.case_id, std::nullopt});
+      return true;
+    });
+    return ended;
+  }
+  [[nodiscard]] bool idle() const override { return watched_.empty(); }
+  [[nodiscard]] campaign::Presence presence(const std::filesystem::path&,
+                                            const campaign::Handle& handle) const override {
+    if (!system_.answers) return campaign::Presence::kUnknown;
+    const auto job = system_.jobs.find(handle);
+    return job == system_.jobs.end() ? campaign::Presence::kGone : job->second.state;
+  }
+  void stop(const std::filesystem::path&, const campaign::Handle& handle,
+            campaign::StopLevel level) override {
+    stops.emplace_back(handle, level);
+  }
+  void clean_up(const std::filesystem::path&) override {}
+  [[nodiscard]] std::optional<int> capacity() const override { return std::nullopt; }
+
+  std::vector<std::string> started, adopted;  ///< case ids
+  std::vector<std::pair<campaign::Handle, campaign::StopLevel>> stops;
+
+ private:
+  BatchSystem& system_;
+  std::set<campaign::Handle> watched_;
+};
+
+}  // namespace softwall::test

@@ -1,0 +1,166 @@
+#include "campaign/tables/paper_tables.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "campaign/tables/measured_cases.hpp"
+#include "campaign/tables/paper_values.hpp"
+#include "tests/campaign/store/examples.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace softwall::campaign::tests {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(PaperValues, AreTheSevenCasesWithTheirPrintedDigits) {
+  const std::vector<PaperCase> cases = paper_cases();
+  ASSERT_EQ(cases.size(), 7U);
+  EXPECT_EQ(cases[0].name, "Reference");
+  EXPECT_FALSE(cases[0].g_table.has_value());
+  EXPECT_EQ(cases[0].printed.at("y_max"), "0.000");
+  EXPECT_EQ(cases[0].printed.at("d"), "");
+  EXPECT_EQ(cases[4].printed.at("re_tau"), "307.0");
+  EXPECT_EQ(cases[4].printed.at("k_plus_dk"), "0.20");
+  for (std::size_t i = 1; i < cases.size(); ++i) EXPECT_EQ(cases[i].g_table, 2.0 * cases[i].g_text.value());
+}
+
+TEST(PaperValues, HaveAColumnForEveryMeasuredQuantity) {
+  for (const PaperCase& paper : paper_cases()) {
+    EXPECT_EQ(paper.printed.size(), analysis::kMeasuredMembers.size());
+    for (const auto& [name, member] : analysis::kMeasuredMembers)
+      EXPECT_TRUE(paper.printed.contains(std::string(name)));
+  }
+}
+
+TEST(PaperValues, AWrongLineIsNamed) {
+  EXPECT_THROW((void)parse_paper_cases("case,G_table\nx,1,2\n"), std::runtime_error);
+  EXPECT_THROW((void)parse_paper_cases("case,G_table\nx,one\n"), std::runtime_error);
+}
+
+TEST(MeasuredText, ShowsTheDigitsThatTheIntervalSupports) {
+  EXPECT_EQ(measured_text({240.512, 3.21}, 1), "240.5 +- 3.2");
+  EXPECT_EQ(measured_text({240.512, 32.1}, 1), "241 +- 32");
+  EXPECT_EQ(measured_text({0.12034, 0.0123}, 3), "0.120 +- 0.012");
+  EXPECT_EQ(measured_text({1.2, 1e-9}, 3), "1.2000 +- 0.0000");
+  EXPECT_EQ(measured_text({-123456.789, 0.01}, 1), "-1.23e+05 +- 0.01");
+  EXPECT_EQ(measured_text({240.512, std::nullopt}, 1), "240.5 (*)");
+  EXPECT_EQ(measured_text({std::nullopt, std::nullopt}, 1), "-");
+}
+
+class PaperTablesTest : public ::testing::Test {
+ protected:
+  void SetUp() override { store.record_campaign(campaign); }
+  void measure(double g, double viscosity_ratio, double re_tau) {
+    const std::string& id = case_with(campaign, g, viscosity_ratio).definition.id;
+    analysis::DerivedQuantities derived;
+    derived.re_tau = {re_tau, 2.0};
+    derived.window_start = 100.0;
+    derived.window_end = 150.0;
+    derived.note = "a note about it";
+    store.record_result(id, derived, "");
+    store.set_state(id, CaseState::kFinished, "");
+  }
+  std::string page() const {
+    std::ostringstream out;
+    write_paper_tables(out, folder.path());
+    return out.str();
+  }
+  std::string under(const std::string& reading) const {
+    const std::string text = page();
+    const auto begin = text.find("READING \"" + reading + "\"");
+    return text.substr(begin,
+                       text.find(reading == "TABLE" ? "READING \"TEXT\"" : "HOW EACH CASE", begin) - begin);
+  }
+  test::TemporaryFolder folder;
+  Store store = Store::open(folder.path(), OpenMode::kCreate);
+  Campaign campaign = paper_campaign();
+};
+
+TEST_F(PaperTablesTest, PutsACaseBesideTheRowOfEitherReading) {
+  measure(1.0, 1.0, 241.25);
+  EXPECT_THAT(under("TABLE"), ContainsRegex("G3 +G=1 +mu=1 +193.0 +240.5 +1.23 +-0.206\n"
+                                            " +G=1_mu=1 +- +241.2 \\+- 2.0"));
+  EXPECT_THAT(under("TEXT"), ContainsRegex("G2 +G=1 +mu=1 +182.1 +203.3 +1.19 +-0.076\n"
+                                           " +G=1_mu=1 +- +241.2 \\+- 2.0"));
+}
+
+TEST_F(PaperTablesTest, DistinguishesTheViscosityRatios) {
+  measure(1.0, 10.0, 226.25);
+  EXPECT_THAT(under("TABLE"), ContainsRegex("mu_s_high +G=1 +mu=10 [^\n]*\n +G=1_mu=10 +- +226.2 \\+- 2.0"));
+  EXPECT_THAT(under("TEXT"), Not(HasSubstr("226.2")));  // there the paper has 10 with G = 0.5 only
+}
+
+TEST_F(PaperTablesTest, SaysWhatIsMissingAndWhatIsNotFinished) {
+  measure(1.0, 1.0, 241.25);
+  EXPECT_THAT(under("TEXT"), ContainsRegex("G4 +G=0.25 +mu=1 [^\n]*\n +\\(not in this campaign\\)"));
+  EXPECT_THAT(page(), HasSubstr("G=4_mu=1 (new)"));
+  EXPECT_THAT(page(),
+              ContainsRegex("G=1_mu=1: finished, grid 48x64\\+16x48, mean over t = 100 to 150 of 50 h/U_b"));
+  EXPECT_THAT(page(), HasSubstr("a note about it"));
+  EXPECT_THAT(page(), HasSubstr("nothing measured yet"));
+}
+
+TEST_F(PaperTablesTest, AnotherReynoldsNumberOrLayerIsNoCounterpart) {
+  for (const char* parameter : {"reynolds", "layer"}) {
+    nlohmann::json document = elastic_campaign();
+    if (parameter == std::string("reynolds")) document["physics"]["reynolds"] = 3000;
+    if (parameter == std::string("layer")) {
+      document["physics"]["domain"]["layer_height"] = 0.25;
+      document["physics"]["grid"]["ny_solid"] = 8;
+    }
+    document["sweep"] = {{"list", {{{"G", 1}, {"viscosity_ratio", 1}}}}};
+    store.record_campaign(campaign_of(document));
+    EXPECT_THAT(page(), HasSubstr("no counterpart in the paper")) << parameter;
+    EXPECT_THAT(page(), Not(ContainsRegex("\n +G=1_mu=1 "))) << parameter;
+  }
+}
+
+TEST_F(PaperTablesTest, AnotherFlowIsNoCounterpart) {
+  const nlohmann::json wave = nlohmann::json::parse(R"({
+    "format": 1, "name": "a wave at the interface of the paper's layer",
+    "physics": {"flow": "interface_wave", "grid": {"nx": 32, "ny_fluid": 32, "ny_solid": 8, "nz": 1},
+                "solid": {"G": 1}, "wave": {"decay": 0.0543952160378, "frequency": 3.09964567747}},
+    "run": {"end_time": 4}})");
+  store.record_campaign(campaign_of(wave));
+  EXPECT_THAT(page(), HasSubstr("has no case that the paper's tables show"));
+  EXPECT_THAT(page(), HasSubstr("no counterpart in the paper"));
+}
+
+TEST_F(PaperTablesTest, WithoutAnyCounterpartThereAreNoTables) {
+  nlohmann::json document = elastic_campaign();
+  document["physics"]["reynolds"] = 3000;
+  store.record_campaign(campaign_of(document));
+  EXPECT_THAT(page(), HasSubstr("has no case that the paper's tables show"));
+  EXPECT_THAT(page(), HasSubstr("HOW EACH CASE"));
+  EXPECT_THAT(page(), Not(HasSubstr("READING")));
+}
+
+TEST_F(PaperTablesTest, ALongLabelIsShortened) {
+  CampaignCase named = case_with(campaign, 1.0, 1.0);
+  named.definition.label = std::string(60, 'x');
+  store.record_campaign(campaign_with(named));
+  EXPECT_THAT(under("TABLE"), ContainsRegex("\n  x+\\.\\.\\. \\(new\\) "));
+}
+
+TEST_F(PaperTablesTest, FitsThePageAndHasNoTrailingBlanks) {
+  for (const CampaignCase& each : campaign.cases) {
+    analysis::DerivedQuantities derived = result_made_of(-123.456);
+    derived.re_tau_w = {1e9, 0.001};
+    derived.note = std::string(20, 'x') + " " + std::string(90, 'y') + " " + std::string(90, 'z');
+    store.record_result(each.definition.id, derived, "");
+  }
+  std::istringstream lines(page());
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(line.size(), 120U) << line;
+    EXPECT_FALSE(line.ends_with(' ')) << line;
+  }
+}
+
+}  // namespace
+}  // namespace softwall::campaign::tests

@@ -1,0 +1,178 @@
+"""What a person does with a campaign over its life: changes its file, asks for tables, names things oddly."""
+
+import json
+import shutil
+import subprocess
+import unittest
+
+from harness import SOFTWALL, EndToEndTest, changed
+
+RIGID = {
+    "format": 1,
+    "name": "rigid",
+    "physics": {
+        "flow": "rigid_channel",
+        "reynolds": 100,
+        "grid": {"nx": 8, "ny_fluid": 8, "nz": 4},
+        "time_step": {"fixed_dt": 0.1},
+        "statistics": {"start_time": 0.5, "block_length": 0.2, "interval_steps": 1},
+    },
+    "run": {"end_time": 1, "field_interval": 0.1},
+    "execution": {"ranks": 1, "cores": 1},
+}
+
+
+class RealUse(EndToEndTest):
+    def test_steps_of_a_tenth_end_at_one(self):
+        campaign = self.campaign(RIGID)
+        self.run_to_end(campaign)
+        (case,) = json.loads(campaign.call("status", "--json").stdout)["cases"]
+        self.assertEqual(case["step"], 10)
+        snapshots = sorted(campaign.folder.glob("cases/*/fields/*.h5"))
+        self.assertEqual(len(snapshots), 10, snapshots)
+        (row,) = campaign.query("SELECT window_start, window_end, end_time FROM results")
+        self.assertEqual(row["window_start"], 0.5)
+        self.assertLessEqual(row["window_end"], row["end_time"] * (1 + 1e-9))
+        self.assertAlmostEqual(row["window_end"], 1.0, 9)
+
+    def test_an_end_that_was_lowered_is_a_hundred_percent(self):
+        campaign = self.campaign(RIGID)
+        self.run_to_end(campaign)
+        campaign.write(changed(RIGID, run={"end_time": 0.7}))
+        self.assertRegex(campaign.call("status").stdout, r"finished +1 +0\.7 +100 ")
+
+    def test_plan_and_run_refuse_in_the_same_words(self):
+        for change, words in (
+            ({"execution": {"ranks": 7, "cores": 8}}, "cannot be shared among 7 ranks"),
+            ({"execution": {"ranks": 100000}}, "/execution/ranks: 100000; this machine has"),
+            ({"physics": dict(RIGID["physics"], grid={"nx": 100000, "ny_fluid": 100000, "nz": 1000})}, "GB of memory"),
+        ):
+            with self.subTest(words):
+                campaign = self.campaign(changed(RIGID, **change))
+                plan, run = campaign.call("plan"), campaign.call("run")
+                self.assertEqual((plan.returncode, run.returncode), (0, 2))
+                self.assertIn(words, run.stderr)
+                self.assertEqual(plan.stderr, run.stderr)
+                self.assertIn(" blocked ", plan.stdout)
+                refused = json.loads(campaign.call("plan", "--json").stdout)["refused"]
+                self.assertIn(words, "".join(f"{one['where']}: {one['given']}; {one['allowed']}\n" for one in refused))
+                self.assertEqual(list(campaign.folder.glob("cases")), [])
+
+    def test_plan_says_what_it_would_take(self):
+        plan = self.campaign(RIGID).call("plan")
+        self.assertEqual(plan.returncode, 0, plan.stderr)
+        self.assertRegex(plan.stdout, r"On 1 core of this machine: about .*; memory .* of .* GB; disk for checkpoints")
+
+    def test_what_a_change_leaves_behind_is_told_and_kept_apart(self):
+        campaign = self.campaign(RIGID)
+        self.run_to_end(campaign)
+        (old,) = campaign.query("SELECT case_id FROM results")
+        changed_physics = dict(RIGID["physics"], statistics={"start_time": 0.4, "block_length": 0.2, "interval_steps": 1})
+        campaign.write(changed(RIGID, physics=changed_physics))
+        plan = campaign.call("plan").stdout
+        self.assertIn("Left behind", plan)
+        self.assertIn("but statistics.start_time 0.5 instead of 0.4", plan)
+        self.run_to_end(campaign)
+        self.assertEqual(len(campaign.query("SELECT * FROM results")), 1)
+        self.assertEqual(len(campaign.query("SELECT * FROM results_all")), 2)
+        export = campaign.call("export", "--csv")
+        self.assertEqual(len(export.stdout.splitlines()), 2)
+        self.assertIn("Left out: 1 case", export.stderr)
+
+        hours = "SELECT case_id, round(sum(core_hours), 12) AS hours FROM attempt_history GROUP BY case_id"
+        before = campaign.query(hours)
+        self.assertEqual(campaign.call("rebuild").returncode, 0)
+        self.assertEqual(campaign.query(hours), before)  # also of the case that left
+        self.assertEqual(len(campaign.query("SELECT * FROM results_all WHERE in_campaign = 0 AND re_tau > 0")), 1)
+
+        self.assertIn("rigid_channel", campaign.call("clean").stdout)
+        self.assertEqual(len(list(campaign.folder.glob("cases/*"))), 2)
+        self.assertEqual(campaign.call("clean", "--remove").returncode, 0)
+        (left,) = campaign.folder.glob("cases/*")
+        self.assertFalse(left.name.endswith(old["case_id"][:8]))
+        self.assertEqual(len(campaign.query("SELECT * FROM results_all")), 1)
+        self.assertIn("Nothing is left over", campaign.call("clean").stdout)
+
+    def test_an_output_that_cannot_be_written_is_an_error(self):
+        campaign = self.campaign(RIGID)
+        self.run_to_end(campaign)
+        for words in (["plan"], ["status"], ["table"], ["verify"], ["export", "--csv"], ["query", "SELECT 1"]):
+            with self.subTest(words), open("/dev/full", "w") as full:
+                answer = subprocess.run(campaign.command(words[0], *words[1:]), stdout=full, stderr=subprocess.PIPE)
+                self.assertEqual(answer.returncode, 1, answer.stderr)
+                self.assertIn(b"standard output", answer.stderr)
+
+    def test_an_export_goes_to_what_is_named(self):
+        campaign = self.campaign(RIGID)
+        self.run_to_end(campaign)
+        link, target = campaign.folder / "link.csv", campaign.folder / "target.csv"
+        link.symlink_to("target.csv")
+        self.assertEqual(campaign.call("export", "--csv", "-o", str(link)).returncode, 0)
+        self.assertTrue(link.is_symlink())
+        self.assertIn("rigid_channel", target.read_text())
+        self.assertEqual(campaign.call("export", "--csv", "-o", "/dev/null").returncode, 0)
+        for own in ("results.db", "campaign.json", "cases/x.csv"):
+            self.assertEqual(campaign.call("export", "--csv", "-o", str(campaign.folder / own)).returncode, 2, own)
+        self.assertEqual(len(campaign.query("SELECT * FROM results")), 1)
+
+    def test_strange_names_reach_no_terminal_and_commands_can_be_copied(self):
+        campaign = self.campaign(changed(RIGID, name="a\n\x1b[31mred", run={"end_time": 0.8}))
+        folder = campaign.folder / "soft walls; $(touch pwned)"
+        folder.mkdir()
+        file = folder / "my sweep.json"
+        (campaign.folder / "campaign.json").rename(file)
+        shutil.copy(file, folder / "campaign.json")  # another one beside it must not be meant
+        ran = subprocess.run([SOFTWALL, "run", str(file)], capture_output=True, text=True, cwd=campaign.folder)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        for text in (ran.stdout, ran.stderr, (folder / "manager.log").read_text()):
+            self.assertNotIn("\x1b", text)
+        file.write_text(json.dumps(changed(json.loads(file.read_text()), run={"end_time": 0.9})))
+        said = subprocess.run([SOFTWALL, "status", str(file)], capture_output=True, text=True).stdout
+        self.assertNotIn("\x1b", said)
+        command = said.split("To go on:")[1].strip().replace("softwall", str(SOFTWALL), 1)
+        again = subprocess.run(["bash", "-c", command], capture_output=True, text=True, cwd=campaign.folder)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertFalse((campaign.folder / "pwned").exists())
+        now = json.loads(subprocess.run([SOFTWALL, "status", str(file), "--json"], capture_output=True).stdout)
+        self.assertEqual(now["cases"][0]["step"], 9)
+
+    def test_advice_fits_the_trouble_of_the_store(self):
+        campaign = self.campaign(RIGID)
+        self.run_to_end(campaign)
+        store = campaign.folder / "results.db"
+        good = store.read_bytes()
+        newer = bytearray(good)
+        newer[60:64] = (999).to_bytes(4, "big")  # user_version
+        store.write_bytes(newer)
+        for command in ("run", "rebuild"):
+            answer = campaign.call(command)
+            self.assertEqual(answer.returncode, 1)
+            self.assertIn("newer softwall", answer.stderr)
+            self.assertNotIn("softwall rebuild", answer.stderr)
+        self.assertEqual(store.read_bytes(), bytes(newer))
+        store.write_bytes(b"")
+        answer = campaign.call("run")
+        self.assertEqual(answer.returncode, 1)
+        self.assertIn("softwall rebuild", answer.stderr)
+        self.assertEqual(campaign.call("rebuild").returncode, 0)
+        self.assertEqual(len(campaign.query("SELECT * FROM results WHERE re_tau > 0")), 1)
+
+    def test_a_lost_store_with_its_log_still_there_can_be_rebuilt(self):
+        campaign = self.campaign(RIGID)
+        self.run_to_end(campaign)
+        (campaign.folder / "results.db").rename(campaign.folder / "results.db-wal")
+        self.assertEqual(campaign.call("rebuild").returncode, 0)
+        self.assertEqual(len(campaign.query("SELECT * FROM results WHERE re_tau > 0")), 1)
+
+    def test_a_stopped_run_says_that_it_was_asked(self):
+        campaign = self.campaign(changed(RIGID, run={"end_time": 1e6, "checkpoint_steps": 100}))
+        runner = campaign.start()
+        campaign.wait_for_checkpoint("rigid_channel")
+        runner.send_signal(2)
+        self.assertEqual(runner.wait(60), 4)
+        self.assertIn("stopped on request", campaign.said())
+        self.assertNotIn("signal 10", campaign.said())
+
+
+if __name__ == "__main__":
+    unittest.main()
