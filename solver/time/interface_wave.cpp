@@ -172,6 +172,7 @@ State interface_wave_at_start(Setup& setup) {
   } else {
     set_solid(wave, {mean ? &*mean : nullptr}, at, g, s.material);
   }
+  if (mean) s.driving_gradient = mean->gradient();
   make_solenoidal(s, setup);
   return s;
 }

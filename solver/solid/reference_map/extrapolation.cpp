@@ -20,7 +20,7 @@ double horizontal_spacing(const Grid& g) { return g.nz_global > 1 ? std::max(g.d
 
 /// The slope between neighbours, as far as it agrees with that over a larger height.
 Real held_slope(Real between_neighbours, Real over_height) {
-  constexpr Real kFurthest = Real(0.1);
+  constexpr Real kFurthest = Real(0.3);
   const Real off = between_neighbours - over_height, less = off < kFurthest ? off : kFurthest;
   return over_height + (less > -kFurthest ? less : -kFurthest);
 }

@@ -8,7 +8,7 @@
 /// it, but the fluid has none. So it goes on along each column in a straight line from the lowest point in
 /// the solid (y is whole on every rank, and the solid is the top of every column).
 ///
-/// The slope of the line is that between the two lowest points of the solid, but at most 0.1 from that over a
+/// The slope of the line is that between the two lowest points of the solid, but at most 0.3 from that over a
 /// height of half the horizontal spacing. Between two neighbouring points of thin cells alone it would follow
 /// every error of the lowest one, which transport then carries back into the solid: on 72 x (72 + 18) x 72
 /// cells, five times as long as high, the layer of G = 0.25 came apart at t = 19 that way. The slope is also

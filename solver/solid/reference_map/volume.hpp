@@ -16,11 +16,9 @@
 /// det A - 1 counts in full cells; outside them it is zero. Weighted with phi in partly filled cells instead
 /// it drove waves of the surface: what stands there is extrapolated, and its errors go with phi.
 ///
-/// That diffusion cannot restore the volume of the whole solid, which transport changes, too: by 0.1 % in a
-/// unit of time where waves are steep. So the layer as a whole is stretched or compressed evenly, as fast as
-/// its volume departs from that at rest, by less than that in a unit of time:
-///   dd_y/dt = ... - (mean height of the surface - height at rest) / kRestoringTime
-///                   (y_wall - y) / thickness of the layer
+/// That diffusion cannot restore the volume of the whole solid, which transport changes, too, by 0.1 % in a
+/// unit of time where waves are steep. So where it has changed by more than 0.5 %, the layer as a whole is
+/// stretched or compressed evenly, in proportion to what exceeds that (RelaxationSpeeds::restore_volume).
 namespace softwall::solid::reference_map {
 
 using grid::Grid;
