@@ -85,12 +85,11 @@ double memory_here() {
   return bytes;
 }
 
-/// The precisions whose solver does not stand beside `solver`.
-std::vector<std::string> missing_programs(const fs::path& solver) {
-  std::vector<std::string> missing;
-  const fs::path folder = fs::canonical(solver).parent_path();
-  if (!is_program(solver_program(folder, Precision::kSingle))) missing.push_back(name_of(Precision::kSingle));
-  return missing;
+/// The precisions whose solver does not stand beside `solver`, and where it was looked for.
+std::map<std::string, std::string> missing_programs(const fs::path& solver) {
+  const fs::path single = solver_program(fs::canonical(solver).parent_path(), Precision::kSingle);
+  if (is_program(single)) return {};
+  return {{name_of(Precision::kSingle), single.string()}};
 }
 
 /// The obstacles of every case that is yet to be started; in the list each is told once.
@@ -133,7 +132,7 @@ Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>
   Machine machine{campaign.execution.cores, here ? memory_here() : 0.0, {}};
   try {
     const fs::path solver = find_solver();
-    machine.no_programs = missing_programs(solver);
+    machine.missing_programs = missing_programs(solver);
     launcher.prepare(solver);
   } catch (const BadInput& error) {
     for (const Mistake& mistake : error.mistakes)

@@ -49,9 +49,10 @@ std::vector<Mistake> obstacles(const CampaignCase& one, const Execution& executi
   if (const std::string problem = sharing_problem(one.ranks, grid.nx, grid.nz); !problem.empty())
     found.push_back({where, std::to_string(one.ranks), problem});
   const std::string precision = name_of(one.definition.physics.precision);
-  if (std::ranges::find(machine.no_programs, precision) != machine.no_programs.end()) {
+  if (const auto missing = machine.missing_programs.find(precision);
+      missing != machine.missing_programs.end()) {
     found.push_back({"/physics/precision", precision,
-                     "the solver of that precision is not there; it is built beside softwall-dns"});
+                     "its solver, built beside softwall-dns, is not there: " + missing->second});
   }
   const double needed = memory_bytes(one.definition, one.ranks);
   if (machine.memory_bytes > 0 && needed > machine.memory_bytes) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,9 @@
 namespace softwall::campaign {
 
 struct Machine {
-  int cores = 1;                         ///< that this process may use
-  double memory_bytes = 0.0;             ///< 0: not known
-  std::vector<std::string> no_programs;  ///< precisions whose solver is not there
+  int cores = 1;                                        ///< that this process may use
+  double memory_bytes = 0.0;                            ///< 0: not known
+  std::map<std::string, std::string> missing_programs;  ///< precision and the file that should be its solver
 };
 
 /// Memory of one case on so many ranks [B].

@@ -77,7 +77,7 @@ class BadInput(EndToEndTest):
         alone = campaign.folder / "softwall-dns"
         shutil.copy(Path(SOFTWALL).parent / "softwall-dns", alone)
         answer = campaign.call("run", env={**os.environ, "SOFTWALL_DNS": str(alone)})
-        self.assert_refused(answer, "physics.precision single", str(alone) + "-single")
+        self.assert_refused(answer, "/physics/precision: single", str(alone) + "-single")
         self.assertFalse((campaign.folder / "cases").exists())
 
     def test_a_solver_that_cannot_run_fails_each_case_and_is_retried_after_repair(self):
@@ -106,7 +106,7 @@ class BadInput(EndToEndTest):
     def test_too_little_disk_is_said_before_anything_starts(self):
         grid = {"nx": 40000, "ny_fluid": 16000, "ny_solid": 4000, "nz": 20000}
         campaign = self.campaign(changed(CAMPAIGN, physics=dict(CAMPAIGN["physics"], grid=grid)))
-        self.assert_refused(campaign.call("run"), "free on its disk")
+        self.assert_refused(campaign.call("run"), "disk: ", " GB free; the checkpoints of this campaign take ")
 
     def test_a_diverging_case_is_told_and_the_others_finish(self):
         # the softest wall follows this step, the stiffest cannot

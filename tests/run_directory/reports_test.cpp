@@ -60,12 +60,11 @@ Summary some_summary() {
 /// What is written is what the schema describes, every required member included, and comes back as it was.
 template <class Report>
 void expect_agreement(const Report& report, std::string_view schema) {
-  const json written = report;
+  const json written = report, described = json::parse(schema);
   EXPECT_EQ(JsonSchema(schema).mistakes(written).size(), 0U) << written;
-  for (const std::string name : json::parse(schema).at("required"))
-    EXPECT_TRUE(written.contains(name)) << name;
+  for (const std::string name : described.at("required")) EXPECT_TRUE(written.contains(name)) << name;
   for (const auto& [name, unused] : written.items()) {
-    EXPECT_TRUE(json::parse(schema).at("properties").contains(name)) << name << " is not in the schema";
+    EXPECT_TRUE(described.at("properties").contains(name)) << name << " is not in the schema";
   }
   EXPECT_EQ(json(written.template get<Report>()), written);
 }

@@ -7,7 +7,7 @@
 namespace softwall::campaign {
 namespace {
 
-const Machine kSmall{2, 8e9, {"single"}};
+const Machine kSmall{2, 8e9, {{"single", "/bin/softwall-dns-single"}}};
 
 /// One line for each obstacle of an elastic case of 48 x (64 + 16) x 48 cells.
 std::vector<std::string> told(int ranks, const Execution& execution = {},
@@ -44,6 +44,7 @@ TEST(Obstacles, MoreRanksThanTheGridCanFeed) {
 TEST(Obstacles, APrecisionWithoutItsProgram) {
   ASSERT_EQ(told(1, {}, Precision::kSingle).size(), 1U);
   EXPECT_EQ(told(1, {}, Precision::kSingle)[0].find("/physics/precision: single"), 0U);
+  EXPECT_NE(told(1, {}, Precision::kSingle)[0].find("/bin/softwall-dns-single"), std::string::npos);
 }
 
 TEST(Obstacles, MoreMemoryThanThereIs) {
