@@ -11,9 +11,9 @@ namespace {
 constexpr double kMostInAStep = 0.15;
 
 /// In which the volume of the whole solid is restored, h/U_b.
-constexpr double kRestoringTime = 0.1;
-/// What is tolerated of its relative change, which comes and goes with the waves.
-constexpr double kToleratedChange = 5e-3;
+constexpr double kRestoringTime = 0.3;
+/// Of its relative change, the most that is restored in a unit of time, U_b/h.
+constexpr double kFastestRestoring = 2e-3;
 
 Real speed(double dt, double spacing) { return Real(std::min(1.0, kMostInAStep * spacing / dt)); }
 
@@ -29,8 +29,8 @@ void RelaxationSpeeds::set(double dt) {
 }
 
 void RelaxationSpeeds::restore_volume(double dt, double at_rest, double excess) {
-  const double wall = grid_.y_face[grid_.ny], tolerated = kToleratedChange * (wall - at_rest),
-               rate = (excess - std::clamp(excess, -tolerated, tolerated)) / std::max(kRestoringTime, dt);
+  const double wall = grid_.y_face[grid_.ny], most = kFastestRestoring * (wall - at_rest),
+               rate = std::clamp(excess / std::max(kRestoringTime, dt), -most, most);
   for (int j = 0; j < grid_.ny; ++j)
     even_[static_cast<std::size_t>(j)] = Real(rate * (wall - grid_.y_face[j]) / (wall - at_rest));
 }
