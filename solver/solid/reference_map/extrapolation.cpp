@@ -18,28 +18,37 @@ namespace {
 /// The larger of both; in z only where the flow has more than one cell.
 double horizontal_spacing(const Grid& g) { return g.nz_global > 1 ? std::max(g.dx, g.dz) : g.dx; }
 
-/// The slope between neighbours, as far as it agrees with that over a larger height.
-Real held_slope(Real between_neighbours, Real over_height) {
-  constexpr Real kFurthest = Real(0.3);
-  const Real off = between_neighbours - over_height, less = off < kFurthest ? off : kFurthest;
-  return over_height + (less > -kFurthest ? less : -kFurthest);
+/// The slope between neighbours, as far as it agrees with that of the parabola.
+Real held_slope(Real between_neighbours, Real of_parabola) {
+  constexpr Real kFurthest = Real(0.1);
+  const Real off = between_neighbours - of_parabola, less = off < kFurthest ? off : kFurthest;
+  return of_parabola + (less > -kFurthest ? less : -kFurthest);
 }
 
 }  // namespace
 
 Extrapolation::Extrapolation(const Grid& grid)
     : grid_(grid),
-      slope_height_(horizontal_spacing(grid) / 2),
+      span_(horizontal_spacing(grid) / 2),
       surface_(static_cast<std::size_t>(grid.nx)),
       slope_(static_cast<std::size_t>(grid.nx)) {}
 
-/// The row whose point, with that of row j, gives the slope at row j over the height.
-int Extrapolation::upper_end_of_slope(const grid::RowArray& y, int j) const {
+/// The first row at least so high above row j; the upper wall where there is none.
+int Extrapolation::row_above(const grid::RowArray& y, int j, double height) const {
   constexpr double kRoundOff = 1e-6;
-  const double enough = slope_height_ * (1 - kRoundOff);
+  const double enough = height * (1 - kRoundOff);
   int upper = j + 1;
   while (upper < grid_.ny && y[upper] - y[j] < enough) ++upper;
   return upper;
+}
+
+/// A parabola through row j, the row a span above it and one two spans above it has at row j the slope
+/// near (d(nearer) - d(j)) + far (d(farther) - d(j)).
+Extrapolation::Parabola Extrapolation::parabola_at(const grid::RowArray& y, int j) const {
+  const int nearer = row_above(y, j, span_), farther = row_above(y, nearer, span_);
+  const double a = y[nearer] - y[j], b = y[farther] - y[j];
+  if (farther == nearer) return {nearer, nearer, Real(1 / a), 0};
+  return {nearer, farther, Real(b / (a * (b - a))), Real(-a / (b * (b - a)))};
 }
 
 /// surface(i, k): its height where the component lives; y: heights of the component's rows, of which the
@@ -51,11 +60,12 @@ void Extrapolation::extend(View<Real> d, const grid::RowArray& y, int j0, const 
   double* const eta = surface_.data();
   Real* const slope = slope_.data();
   const auto line_from = [=, this, &y](int j, int k) {
-    const int end = upper_end_of_slope(y, j);
-    const Real to_next = 1 / Real(y[j + 1] - y[j]), over_height = 1 / Real(y[end] - y[j]);
+    const Parabola p = parabola_at(y, j);
+    const Real to_next = 1 / Real(y[j + 1] - y[j]);
     return [=](int i) {
       const Real own = d(i, j, k);
-      return slopes.within(held_slope((d(i, j + 1, k) - own) * to_next, (d(i, end, k) - own) * over_height));
+      const Real of_parabola = (d(i, p.nearer, k) - own) * p.near + (d(i, p.farther, k) - own) * p.far;
+      return slopes.within(held_slope((d(i, j + 1, k) - own) * to_next, of_parabola));
     };
   };
   for (int k = 0; k < grid_.nz; ++k) {
