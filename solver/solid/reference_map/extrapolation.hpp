@@ -15,8 +15,7 @@
 /// layer of G = 0.25 came apart at t = 19 that way. A straight line over the same height instead of the
 /// parabola is of first order where d bends: the energy of a driven layer was then missed by 1.1 %. The slope
 /// is also kept within bounds far from ordinary values, |d(d_x)/dy| <= 2 and -1 <= d(d_y)/dy <= 1/2: where
-/// points are
-/// torn apart, the line must not let the surface run away along the column.
+/// points are torn apart, the line must not let the surface run away along the column.
 namespace softwall::solid::reference_map {
 
 class Extrapolation {
