@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -19,9 +20,10 @@ class LineShift {
       : line_(line), may_share_(way == Way::kBest) {}
 
   /// Room for what this rank is going to hand on. Every rank of the line asks for equally much; collective
-  /// when that is more than ever before.
+  /// when that is more than there is yet. Room doubles then: messages grow by a row at a time as the surface
+  /// of a layer falls.
   [[nodiscard]] T* outgoing(std::size_t count) {
-    if (count > room_) make_room(whole_lines<T>(count));
+    if (count > room_) make_room(whole_lines<T>(std::max(count, 2 * room_)));
     count_ = count;
     return shared_ ? buffer_of(line_.rank()) : sent_.data();
   }
