@@ -21,7 +21,11 @@ Real way_to_neighbours(const View<const Real>& q, int i, int j, int k) {
          q(i, j, k) / 2;
 }
 
-Real larger(Real a, Real b) { return a > b ? a : b; }
+/// The damage of the worse of two cells, as far as it makes a point move.
+Real worse_of(Real a, Real b) {
+  const Real worse = a > b ? a : b;
+  return worse < kWhole ? worse : kWhole;
+}
 
 }  // namespace
 
@@ -44,9 +48,9 @@ void Mending::find(const Damage& damage, const grid::VectorField& d, const RowsO
     const int below = j > rows.j0 ? j - 1 : j;
     grid::for_each_cell({0, grid_.nx, j, j + 1, k, k + 1}, [=](int i, int, int) {
       const Real here = worn(i, j, k);
-      to_x(i, j, slot) = larger(here, worn(i - 1, j, k)) * way_to_neighbours(x, i, j, k);
-      to_y(i, j, slot) = larger(here, worn(i, below, k)) * way_to_neighbours(y, i, j, k);
-      to_z(i, j, slot) = larger(here, worn(i, j, k - 1)) * way_to_neighbours(z, i, j, k);
+      to_x(i, j, slot) = worse_of(here, worn(i - 1, j, k)) * way_to_neighbours(x, i, j, k);
+      to_y(i, j, slot) = worse_of(here, worn(i, below, k)) * way_to_neighbours(y, i, j, k);
+      to_z(i, j, slot) = worse_of(here, worn(i, j, k - 1)) * way_to_neighbours(z, i, j, k);
     });
   }
 }

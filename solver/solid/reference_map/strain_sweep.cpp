@@ -13,11 +13,12 @@ template <class Kernel>
   for (int i = first; i < end; ++i) kernel(i);
 }
 
-/// Number of cells, among n side by side, whose damage exceeds `least` or is whole.
-int cells_with(const Real* damage, int n, Real least) {
+/// Number of cells, among n side by side, for which the condition holds.
+template <class Condition>
+int count(const Real* damage, int n, const Condition& condition) {
   int cells = 0;
 #pragma omp simd reduction(+ : cells)
-  for (int i = 0; i < n; ++i) cells += damage[i] > least || damage[i] == 1 ? 1 : 0;
+  for (int i = 0; i < n; ++i) cells += condition(damage[i]) ? 1 : 0;
   return cells;
 }
 
@@ -63,9 +64,9 @@ std::int64_t StrainSweep::run(const Strain& strain, View<const Real> phi, int fi
       if (has_centers) {
         centers(strain, phi, j, k, to, damage);
         const Real* const row = &damage.view()(0, j, k);
-        const bool any = cells_with(row - 1, nx_ + 1, 0) > 0;
+        const bool any = count(row - 1, nx_ + 1, [](Real damage_here) { return damage_here > 0; }) > 0;
         damage.set_row(j, k, any);
-        if (any && has_edges) torn += cells_with(row, nx_, 1);
+        if (any && has_edges) torn += count(row, nx_, [](Real damage_here) { return damage_here == kTorn; });
       }
       if (has_edges) edges_xz(strain, j, k, to.xz);
       std::swap(low_, high_);
