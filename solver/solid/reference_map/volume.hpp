@@ -16,10 +16,11 @@
 /// det A - 1 counts in full cells; outside them it is zero. Weighted with phi in partly filled cells instead
 /// it drove waves of the surface: what stands there is extrapolated, and its errors go with phi.
 ///
-/// That diffusion cannot restore the volume of the whole solid, which transport changes, too, by 0.1 % in
-/// a unit of time where waves are steep, and by 1 % where they are about to break. So the layer as a whole is
-/// stretched or compressed evenly, in proportion to the change but by no more than 1 % in a unit of time (RelaxationSpeeds::restore_volume):
-/// where the surface folds, its mean height, which measures the volume here, changes faster, and rightly so.
+/// That diffusion cannot restore the volume of the whole solid, which transport changes, too, by 0.1 % in a
+/// unit of time where waves are steep, and by 1 % where they are about to break. So the layer as a whole is
+/// stretched or compressed evenly, in proportion to the change but by no more than 1 % in a unit of time
+/// (RelaxationSpeeds::restore_volume): where the surface folds, its mean height, which measures the volume
+/// here, changes faster, and rightly so.
 namespace softwall::solid::reference_map {
 
 using grid::Grid;
