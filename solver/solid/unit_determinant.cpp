@@ -43,7 +43,7 @@ void UnitDeterminant::find_scale(const grid::TensorField& B, int first_row) {
   grid::for_each_cell({-1, nx + 1, first_row, ny, -1, nz + 1}, [=, &B](int i, int j, int k) {
     s(i, j, k) = Real(1 / std::cbrt(std::clamp(tensor_at_center(B, i, j, k).determinant(), kLeast, kMost)));
   });
-  for (const auto [beyond, row] : {std::pair{first_row - 1, first_row}, std::pair{ny, ny - 1}}) {
+  for (const auto& [beyond, row] : {std::pair{first_row - 1, first_row}, std::pair{ny, ny - 1}}) {
     grid::for_each_cell({-1, nx + 1, beyond, beyond + 1, -1, nz + 1},
                         [=, from = row](int i, int j, int k) { s(i, j, k) = s(i, from, k); });
   }
