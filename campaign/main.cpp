@@ -11,9 +11,11 @@
 #include "campaign/runner/campaign_lock.hpp"
 #include "campaign/store/sqlite.hpp"
 #include "campaign/store/text_width.hpp"
+#include "campaign/system/signals.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/option_number.hpp"
 #include "solver/case/spelling.hpp"
+#include "solver/case/standard_streams.hpp"
 #include "solver/run_directory/build_info.hpp"
 
 /// softwall: the command line of the campaign manager.
@@ -216,5 +218,7 @@ ExitStatus run_reporting_errors(int count, char** words) {
 }  // namespace softwall::campaign
 
 int main(int count, char** words) {
+  softwall::open_standard_streams();
+  softwall::campaign::expect_children();
   return static_cast<int>(softwall::campaign::run_reporting_errors(count, words));
 }
