@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "campaign/core/case_mistakes.hpp"
@@ -111,6 +112,27 @@ void add_obstacles_of_cases(const Campaign& campaign, const std::vector<Decision
   for (Mistake& mistake : mistakes.all(cases)) result.mistakes.push_back(std::move(mistake));
 }
 
+void add(const BadInput& error, Preflight& result) {
+  for (const Mistake& mistake : error.mistakes)
+    result.mistakes.push_back({error.source, mistake.given, mistake.allowed});
+}
+
+/// Of a case that is yet to be started; 0: there is none, and nothing needs to be tried.
+int most_ranks(const Campaign& campaign, const std::vector<Decision>& decisions) {
+  int most = 0;
+  for (std::size_t i = 0; i < decisions.size(); ++i)
+    if (may_start(decisions[i].outlook)) most = std::max(most, campaign.cases[i].ranks);
+  return most;
+}
+
+void prepare(Launcher& launcher, const fs::path& solver, int ranks, Preflight& result) {
+  try {
+    launcher.prepare(solver, ranks);
+  } catch (const BadInput& error) {
+    add(error, result);
+  }
+}
+
 /// What would become of the cases on a machine with any number of cores.
 std::vector<Decision> decide_without_limit(Campaign campaign, const std::vector<Observation>& observations) {
   campaign.execution.cores = 0;
@@ -130,15 +152,15 @@ Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>
   Preflight result;
   const bool here = launcher.capacity().has_value();  // else a scheduler knows its machines, and we do not
   Machine machine{campaign.execution.cores, here ? memory_here() : 0.0, {}};
+  std::optional<fs::path> solver;
   try {
-    const fs::path solver = find_solver();
-    machine.missing_programs = missing_programs(solver);
-    launcher.prepare(solver);
+    solver = find_solver();
+    machine.missing_programs = missing_programs(*solver);
   } catch (const BadInput& error) {
-    for (const Mistake& mistake : error.mistakes)
-      result.mistakes.push_back({error.source, mistake.given, mistake.allowed});
+    add(error, result);
   }
   add_obstacles_of_cases(campaign, decisions, machine, result);
+  if (solver && result.mistakes.empty()) prepare(launcher, *solver, most_ranks(campaign, decisions), result);
   result.disk_bytes = disk_bytes(campaign, observations);
   result.disk_free_bytes = static_cast<double>(fs::space(loaded.folder).available);
   result.memory_bytes = memory_side_by_side(campaign, decisions);

@@ -168,12 +168,20 @@ RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& camp
   return {std::filesystem::absolute(folder / campaign_case.directory).lexically_normal()};
 }
 
-bool is_occupied(const RunFiles& run, const Launcher& launcher) {
-  if (!std::filesystem::exists(run.directory)) return false;
-  const auto record = read_run_record(run);
-  return launcher.presence(run.directory, record ? record->handle : Handle()) != Presence::kGone ||
-         lock_is_held(run.lock());
+std::vector<bool> occupied(const std::vector<RunFiles>& runs, const Launcher& launcher) {
+  std::vector<AttemptPlace> places;
+  for (const RunFiles& run : runs) {
+    const auto record = read_run_record(run);
+    places.push_back({run.directory, record ? record->handle : Handle()});
+  }
+  const auto presences = launcher.presences(places);
+  std::vector<bool> found;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    found.push_back(presences[i] != Presence::kGone || lock_is_held(runs[i].lock()));
+  return found;
 }
+
+bool is_occupied(const RunFiles& run, const Launcher& launcher) { return occupied({run}, launcher).front(); }
 
 Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run) {
   Observation observation;
@@ -196,25 +204,34 @@ Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run
   return observation;
 }
 
-Observation observe(const CampaignCase& campaign_case, const RunFiles& run, const Launcher& launcher) {
+namespace {
+
+Observation observe_work(const CampaignCase& campaign_case, const RunFiles& run, bool busy) {
   Observation observation = observe_files(campaign_case, run);
-  if (is_occupied(run, launcher)) {
-    observation.running = true;
-    observation.state = CaseState::kRunning;
-    observation.reason.clear();  // it spoke of an end that is over
-    if (const auto status = read_status(run, observation.case_id)) {
-      observation.seconds_per_step = status->seconds_per_step;
-    }
+  if (!busy) return observation;
+  observation.running = true;
+  observation.state = CaseState::kRunning;
+  observation.reason.clear();  // it spoke of an end that is over
+  if (const auto status = read_status(run, observation.case_id)) {
+    observation.seconds_per_step = status->seconds_per_step;
   }
   return observation;
 }
 
+}  // namespace
+
+Observation observe(const CampaignCase& campaign_case, const RunFiles& run, const Launcher& launcher) {
+  return observe_work(campaign_case, run, is_occupied(run, launcher));
+}
+
 std::vector<Observation> observe_all(const Campaign& campaign, const std::filesystem::path& folder,
                                      const Launcher& launcher) {
+  std::vector<RunFiles> runs;
+  for (const CampaignCase& one : campaign.cases) runs.push_back(run_files(folder, one));
+  const auto busy = occupied(runs, launcher);
   std::vector<Observation> all;
-  for (const CampaignCase& one : campaign.cases) {
-    all.push_back(observe(one, run_files(folder, one), launcher));
-  }
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    all.push_back(observe_work(campaign.cases[i], runs[i], busy[i]));
   return all;
 }
 

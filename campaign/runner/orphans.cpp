@@ -26,6 +26,12 @@ void tidy(const RunFiles& run, Launcher& launcher) {
   sweep_temporaries(run);
 }
 
+std::vector<RunFiles> runs_in(const std::vector<WorkPlace>& places) {
+  std::vector<RunFiles> runs;
+  for (const WorkPlace& place : places) runs.push_back(place.run);
+  return runs;
+}
+
 Orphan orphan_in(const WorkPlace& place, StopGrace grace) {
   const auto record = read_run_record(place.run);
   const double now = monotonic_seconds();
@@ -51,9 +57,10 @@ void ask_to_end(Orphan& orphan, Launcher& launcher) {
 bool end_orphans(const std::vector<WorkPlace>& places, Launcher& launcher, StopGrace grace, Signals& signals,
                  Progress& progress) {
   std::vector<Orphan> orphans;
-  for (const WorkPlace& place : places) {
-    if (!std::filesystem::exists(place.run.directory)) continue;
-    if (!is_occupied(place.run, launcher)) {
+  const auto busy = occupied(runs_in(places), launcher);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const WorkPlace& place = places[i];
+    if (!busy[i]) {
       tidy(place.run, launcher);
       continue;
     }
@@ -66,7 +73,7 @@ bool end_orphans(const std::vector<WorkPlace>& places, Launcher& launcher, StopG
     signals.wait(std::chrono::milliseconds(100));
     if (signals.stop_requests() > 0) return false;
     std::erase_if(orphans, [&](const Orphan& orphan) {
-      if (is_occupied(orphan.place.run, launcher)) return false;
+      if (is_occupied(orphan.place.run, launcher)) return false;  // few of them are left
       tidy(orphan.place.run, launcher);
       return true;
     });
