@@ -29,9 +29,10 @@ fs::path campaign_file(const fs::path& path) {
   return path / kCampaignFile;
 }
 
+/// Without symbolic links: a solver that works there knows the folder by this name.
 fs::path folder_of(const fs::path& path) {
-  const fs::path absolute = fs::absolute(path).lexically_normal();
-  return is_folder(absolute) ? absolute : absolute.parent_path();
+  const fs::path folder = is_folder(path) ? path : fs::absolute(path).parent_path();
+  return fs::weakly_canonical(folder);
 }
 
 }  // namespace
