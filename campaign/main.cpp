@@ -72,6 +72,8 @@ CommandLine::CommandLine() {
             },
             ""))
         ->capture_default_str();
+    command->add_flag("--start-over", arguments_.run.start_over,
+                      "Let cases that had checkpoints, of which none can be used, start from the beginning");
   }
   CLI::App* plan = add("plan", "Show what run would do, and what it would cost",
                        [](const Arguments& given) { return show_plan(given.path, given.json); });
@@ -194,9 +196,9 @@ ExitStatus delivered(ExitStatus status) {
 }
 
 ExitStatus run_reporting_errors(int count, char** words) {
+  const bool runs =
+      count > 1 && (std::string_view(words[1]) == "run" || std::string_view(words[1]) == "resume");
   try {
-    const bool runs =
-        count > 1 && (std::string_view(words[1]) == "run" || std::string_view(words[1]) == "resume");
     const ExitStatus status = CommandLine().run(count, words);
     return runs ? status : delivered(status);
   } catch (const BadInput& error) {
@@ -207,7 +209,7 @@ ExitStatus run_reporting_errors(int count, char** words) {
     return ExitStatus::kOwned;
   } catch (const SqliteError& error) {
     std::cerr << "softwall: " << printable_lines(error.what()) << "\n" << advice_for(error);
-    return ExitStatus::kError;
+    return runs && error.may_pass() ? ExitStatus::kUnfinished : ExitStatus::kError;
   } catch (const std::exception& error) {
     std::cerr << "softwall: " << printable_lines(error.what()) << "\n";
     return ExitStatus::kError;

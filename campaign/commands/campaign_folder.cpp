@@ -52,7 +52,11 @@ std::vector<Observation> observe_with_history(const LoadedCampaign& loaded, cons
   std::error_code unreadable;
   if (!fs::exists(store_path(loaded.folder), unreadable)) return observations;
   const Store store = Store::open(loaded.folder, OpenMode::kReadOnly);
-  for (Observation& seen : observations) seen = with_history(seen, store);
+  const auto records = store.all_cases();
+  for (Observation& seen : observations) {
+    const auto known = records.find(seen.case_id);
+    if (known != records.end()) seen = with_history(seen, known->second);
+  }
   return observations;
 }
 

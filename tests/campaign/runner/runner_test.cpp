@@ -128,9 +128,11 @@ TEST_F(RunnerTest, PausesWhenTheStoreCannotBeWritten) {
   RunnerOptions options;
   options.poll = std::chrono::milliseconds(1);
   campaign_.spec_text = std::string(100000, ' ');
-  EXPECT_THROW(Runner(campaign_, folder_.path(), {launcher, full, progress, signals}, options).run(),
-               SqliteError)
-      << "before anything is started, the error is the answer";
+  EXPECT_EQ(
+      Runner(campaign_, folder_.path(), {launcher, full, progress, signals}, options).run().unfinished.size(),
+      5U)
+      << "before anything is started, too";
+  EXPECT_TRUE(launcher.started.empty());
   campaign_.spec_text.clear();
   Runner runner(campaign_, folder_.path(), {launcher, full, progress, signals}, options);
   const RunnerReport report = runner.run();
@@ -308,6 +310,61 @@ TEST_F(RunnerTest, FinishedWithoutStatisticsIsTold) {
   EXPECT_EQ(report.finished, 4U);
   ASSERT_EQ(report.failed.size(), 1U);
   EXPECT_NE(report.failed[0].reason.find("without a result"), std::string::npos);
+}
+
+TEST_F(RunnerTest, DamagedStatisticsAreMadeAgainFromTheLastCheckpoint) {
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  run(launcher);
+  std::filesystem::resize_file(run_files(folder_.path(), campaign_.cases[2]).statistics(), 700);
+  std::filesystem::remove(run_files(folder_.path(), campaign_.cases[3]).statistics());
+  FakeLauncher second([&](const LaunchRequest& request) { return finish(request); });
+  const RunnerReport report = run(second);
+  EXPECT_EQ(report.finished, 5U);
+  EXPECT_TRUE(report.failed.empty());
+  ASSERT_EQ(second.started.size(), 2U);
+  EXPECT_EQ(second.started[0].case_id, id(2));
+  EXPECT_EQ(second.started[1].case_id, id(3));
+}
+
+/// A case of which every attempt ends in order after step 500.
+class LadderTest : public RunnerTest {
+ protected:
+  LadderTest() {
+    FakeLauncher launcher([&](const LaunchRequest& request) {
+      if (case_of(request.case_id).is_precursor) return finish(request);
+      test::write_checkpoint(RunFiles{request.run_directory}, request.case_id, 500, 1.0);
+      return 1;
+    });
+    run(launcher);
+  }
+  [[nodiscard]] RunFiles files() const { return run_files(folder_.path(), campaign_.cases[1]); }
+};
+
+TEST_F(LadderTest, ACheckpointThatCannotBeReadIsWaitedForAndLeftAlone) {
+  const auto newest = files().checkpoint(600);
+  std::filesystem::create_symlink(newest, newest);  // whoever opens it is refused by the system
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  const RunnerReport report = run(launcher);
+  ASSERT_EQ(report.unfinished.size(), 1U);
+  EXPECT_NE(report.unfinished[0].reason.find("checkpoint-000000600.h5: it cannot be read"), std::string::npos)
+      << report.unfinished[0].reason;
+  EXPECT_TRUE(report.failed.empty());
+  EXPECT_TRUE(std::filesystem::is_symlink(newest));
+  EXPECT_EQ(launcher.started.size(), 3U) << "the others go on";
+}
+
+TEST_F(LadderTest, ACaseThatHadCheckpointsDoesNotStartOverUnasked) {
+  std::filesystem::resize_file(files().checkpoint(500), 4096);
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  for (int i = 0; i < 2; ++i) {
+    const RunnerReport report = run(launcher);
+    ASSERT_EQ(report.unfinished.size(), 1U);
+    EXPECT_NE(report.unfinished[0].reason.find("--start-over"), std::string::npos);
+  }
+  EXPECT_EQ(launcher.started.size(), 3U);
+  RunnerOptions options;
+  options.start_over = true;
+  EXPECT_EQ(run(launcher, options).finished, 5U);
 }
 
 /// An attempt that never makes a step and ends only when it is killed.
