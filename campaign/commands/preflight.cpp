@@ -19,6 +19,7 @@
 #include "solver/case/file_descriptor.hpp"
 #include "solver/run_directory/checkpoint_size.hpp"
 #include "solver/run_directory/programs.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -133,6 +134,23 @@ void prepare(Launcher& launcher, const fs::path& solver, int ranks, Preflight& r
   }
 }
 
+/// Open MPI aborts a solver whose checkpoint has a path of 247 characters (measured, 4.1.4).
+void add_paths_that_are_too_long(const LoadedCampaign& loaded, const std::vector<Decision>& decisions,
+                                 Preflight& result) {
+  constexpr std::size_t kLongestPath = 240;
+  std::string longest;
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    if (!may_start(decisions[i].outlook)) continue;
+    const RunFiles run{loaded.folder / loaded.campaign.cases[i].directory};
+    const std::string path = run.checkpoint(0).string() + ".tmp";
+    if (path.size() > longest.size()) longest = path;
+  }
+  if (longest.size() <= kLongestPath) return;
+  result.mistakes.push_back(
+      {longest, "a path of " + std::to_string(longest.size()) + " characters",
+       "at most " + std::to_string(kLongestPath) + ": use a folder with a shorter name"});
+}
+
 /// What would become of the cases on a machine with any number of cores.
 std::vector<Decision> decide_without_limit(Campaign campaign, const std::vector<Observation>& observations) {
   campaign.execution.cores = 0;
@@ -160,6 +178,7 @@ Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>
     add(error, result);
   }
   add_obstacles_of_cases(campaign, decisions, machine, result);
+  add_paths_that_are_too_long(loaded, decisions, result);
   if (solver && result.mistakes.empty()) prepare(launcher, *solver, most_ranks(campaign, decisions), result);
   result.disk_bytes = disk_bytes(campaign, observations);
   result.disk_free_bytes = static_cast<double>(fs::space(loaded.folder).available);

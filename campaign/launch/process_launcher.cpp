@@ -26,6 +26,14 @@ namespace {
 // Ranks notice the death of their mpirun after about one second (measured, Open MPI 4.1.4).
 constexpr double kRankGraceSeconds = 5.0;
 
+/// A log that many attempts have written into makes room for a new one; the one before is kept beside it.
+void keep_small(const std::filesystem::path& log) {
+  constexpr std::uintmax_t kLargest = 16U << 20U;
+  std::error_code none;
+  const auto size = std::filesystem::file_size(log, none);
+  if (!none && size > kLargest) std::filesystem::rename(log, log.string() + ".old", none);
+}
+
 /// Asks processes of one attempt to end.
 void signal_attempt(const std::vector<pid_t>& processes, StopLevel level) {
   for (const pid_t process : processes) {
@@ -76,6 +84,7 @@ void ProcessLauncher::prepare(const std::filesystem::path& solver, int ranks) {
 }
 
 Handle ProcessLauncher::start(const LaunchRequest& request) {
+  keep_small(RunFiles{request.run_directory}.log());
   const Scratch scratch(request.run_directory);
   scratch.create();
   try {

@@ -92,6 +92,17 @@ TEST_F(ProcessLauncherTest, ALogIsAppendedTo) {
   EXPECT_EQ(log(), "one attempt\none attempt\n");
 }
 
+TEST_F(ProcessLauncherTest, ALogDoesNotGrowWithoutBound) {
+  const auto file = RunFiles{request().run_directory}.log();
+  std::ofstream(file) << "old";
+  std::filesystem::resize_file(file, (16U << 20U) + 1U);
+  auto launcher = launcher_with("echo new");
+  (void)launcher.start(request());
+  ASSERT_TRUE(wait_for_end(launcher));
+  EXPECT_EQ(log(), "new\n");
+  EXPECT_EQ(read_text(file.string() + ".old").substr(0, 3), "old");
+}
+
 TEST_F(ProcessLauncherTest, TemporaryFilesAreGoneAfterwards) {
   auto launcher =
       launcher_with("touch $TMPDIR/a $OMPI_MCA_btl_vader_backing_directory/b; echo $TMPDIR; kill -9 $$");
@@ -142,8 +153,8 @@ TEST_F(ProcessLauncherTest, AnotherLauncherSeesAndStopsTheAttemptToo) {
 }
 
 TEST_F(ProcessLauncherTest, NothingResistsBeingKilled) {
-  auto launcher =
-      launcher_with("trap '' USR1 TERM; set -m; sleep 60 & echo ready; while :; do sleep 0.05; done");
+  auto launcher = launcher_with(
+      "trap '' USR1 TERM; set -m 2>/dev/null; sleep 60 & echo ready; while :; do sleep 0.05; done");
   const auto what = request();
   (void)launcher.start(what);
   ASSERT_TRUE(wait_until([&] { return log().find("ready") != std::string::npos; }));
@@ -155,7 +166,7 @@ TEST_F(ProcessLauncherTest, NothingResistsBeingKilled) {
 
 TEST_F(ProcessLauncherTest, AnAttemptLastsUntilItsLastRankIsGone) {
   // mpirun is gone at once; a "rank" in a process group of its own still writes for a while
-  auto launcher = launcher_with("set -m; sh -c 'sleep 1; echo last words' & exit 1");
+  auto launcher = launcher_with("set -m 2>/dev/null; sh -c 'sleep 1; echo last words' & exit 1");
   const double start = monotonic_seconds();
   (void)launcher.start(request());
   ASSERT_TRUE(wait_for_end(launcher));
@@ -164,7 +175,7 @@ TEST_F(ProcessLauncherTest, AnAttemptLastsUntilItsLastRankIsGone) {
 }
 
 TEST_F(ProcessLauncherTest, RanksThatStayBehindAreKilled) {
-  auto launcher = launcher_with("set -m; sleep 60 & exit 1");
+  auto launcher = launcher_with("set -m 2>/dev/null; sleep 60 & exit 1");
   const auto what = request();
   (void)launcher.start(what);
   ASSERT_TRUE(wait_for_end(launcher));
