@@ -11,8 +11,15 @@ namespace softwall::solid {
 
 namespace {
 
-/// Determinants beyond belong to a B that is no longer the solid's: what is left of it is not to be blown up.
-constexpr double kLeast = 0.125, kMost = 8;
+/// A smaller determinant belongs to a B that is no longer a strain (its limiter will lift it): blown up in
+/// every substep, it would end the run.
+constexpr double kLeast = 0.5;
+/// What is taken out of a larger one in a substep.
+constexpr double kMost = 2;
+
+double scale_of(double determinant) {
+  return determinant < kLeast ? 1.0 : 1 / std::cbrt(std::min(determinant, kMost));
+}
 
 }  // namespace
 
@@ -41,7 +48,7 @@ void UnitDeterminant::find_scale(const grid::TensorField& B, int first_row) {
   const int nx = grid_.nx, ny = grid_.ny, nz = grid_.nz;
   const auto s = scale_.view();
   grid::for_each_cell({-1, nx + 1, first_row, ny, -1, nz + 1}, [=, &B](int i, int j, int k) {
-    s(i, j, k) = Real(1 / std::cbrt(std::clamp(tensor_at_center(B, i, j, k).determinant(), kLeast, kMost)));
+    s(i, j, k) = Real(scale_of(tensor_at_center(B, i, j, k).determinant()));
   });
   for (const auto [beyond, row] : {std::pair{first_row - 1, first_row}, std::pair{ny, ny - 1}}) {
     grid::for_each_cell({-1, nx + 1, beyond, beyond + 1, -1, nz + 1},

@@ -69,7 +69,7 @@ TEST(UnitDeterminant, LeavesWhatIsRightToSecondOrder) {
 TEST(UnitDeterminant, TakesOutAFactor) {
   Domain d(MPI_COMM_WORLD, {16, 6, 16}, {}, support::faces(6, 2, 1.2));
   Material m(d.grid), plain(d.grid);
-  set_sheared(m, d, 1.5);
+  set_sheared(m, d, 1.2);
   set_sheared(plain, d, 1);
   UnitDeterminant unit(d.grid, d.halo);
   unit.restore(m.B, 0);
@@ -83,14 +83,22 @@ TEST(UnitDeterminant, TakesOutAFactor) {
             1e-13);
 }
 
-/// Nothing is asked of rows below the first, nor of a B that is no longer a strain.
-TEST(UnitDeterminant, LeavesRowsBelowAloneAndStaysFinite) {
+TEST(UnitDeterminant, LeavesRowsBelowTheFirstAlone) {
+  Domain d(MPI_COMM_WORLD, {8, 6, 8}, {}, support::faces(6, 2, 0));
+  Material m(d.grid);
+  set_sheared(m, d, 1.2);
+  UnitDeterminant(d.grid, d.halo).restore(m.B, 3);
+  EXPECT_EQ(m.B.yy(3, 2, 3), Real(1.2));
+  EXPECT_NEAR(m.B.yy(3, 3, 3), 1, 0.1);
+}
+
+/// A B that is no longer a strain is not blown up.
+TEST(UnitDeterminant, LeavesANegativeDeterminantAlone) {
   Domain d(MPI_COMM_WORLD, {8, 6, 8}, {}, support::faces(6, 2, 0));
   Material m(d.grid);
   set_sheared(m, d, -2);
-  UnitDeterminant(d.grid, d.halo).restore(m.B, 3);
-  EXPECT_EQ(m.B.yy(3, 2, 3), -2);
-  EXPECT_EQ(m.B.yy(3, 3, 3), -4);  // by the cube root of the least determinant, 1/8
+  UnitDeterminant(d.grid, d.halo).restore(m.B, 0);
+  EXPECT_EQ(m.B.yy(3, 3, 3), -2);
 }
 
 }  // namespace
