@@ -73,7 +73,9 @@ void TransportedB::transport(Material& material, const grid::VectorField& veloci
   if (fraction_) fraction_->advance(material.phi, velocity, stage, dt, first_row);
   if (height_) height_->advance(material.phi, velocity, stage, dt, first_row);
   update(material, stage, dt, first_row);
-  if (height_) restore_unit_determinant(material.B, grid_, halo_, first_row);
+  if (height_) {
+    restore_unit_determinant(material.B, grid_, halo_, first_row, restored_share(2 * stage.alpha * dt));
+  }
   make_consistent(material, first_row, ready);
 }
 

@@ -17,11 +17,12 @@ double factor_of_normals(const SymmetricTensor& B) {
   return is_strain ? 1 + std::clamp((1 - determinant) / slope, -kMost, kMost) : 1;
 }
 
-void restore_unit_determinant(grid::TensorField& B, const Grid& grid, grid::Halo& halo, int first_row) {
+void restore_unit_determinant(grid::TensorField& B, const Grid& grid, grid::Halo& halo, int first_row,
+                              double share) {
   halo.fill({&B.xy, &B.xz, &B.yz}, {first_row, grid.ny + 1});
   const auto xx = B.xx.view(), yy = B.yy.view(), zz = B.zz.view();
   grid::for_each_cell(grid::rows(grid, first_row, grid.ny), [=, &B](int i, int j, int k) {
-    const auto factor = Real(factor_of_normals(tensor_at_center(B, i, j, k)));
+    const auto factor = Real(1 + share * (factor_of_normals(tensor_at_center(B, i, j, k)) - 1));
     xx(i, j, k) *= factor;
     yy(i, j, k) *= factor;
     zz(i, j, k) *= factor;

@@ -16,9 +16,18 @@ namespace softwall::solid {
 /// lift it.
 [[nodiscard]] double factor_of_normals(const SymmetricTensor& B);
 
-/// Multiplies the normal components in rows first_row and above, by the factor of their cell. The shear
-/// components stay: a layer at rest holds its load by them, and to scale them by what their means at centers
-/// leave of the determinant would let it creep for ever. Fills the shear components' ghost cells.
-void restore_unit_determinant(grid::TensorField& B, const Grid& grid, grid::Halo& halo, int first_row);
+/// What a substep of this length [h/U_b] restores of the determinant. It is lost over tens of h/U_b, so that
+/// two are soon enough, and what means at centers leave of it in a passing wave hardly counts.
+[[nodiscard]] inline double restored_share(double duration) {
+  constexpr double kTime = 2;  // h/U_b
+  return duration < kTime ? duration / kTime : 1;
+}
+
+/// Changes the normal components in rows first_row and above by a share of what the factor of their cell asks
+/// for. The shear components stay: a layer at rest holds its load by them, and to scale them by what their
+/// means at centers leave of the determinant would let it creep for ever. Fills the shear components' ghost
+/// cells.
+void restore_unit_determinant(grid::TensorField& B, const Grid& grid, grid::Halo& halo, int first_row,
+                              double share);
 
 }  // namespace softwall::solid

@@ -53,7 +53,7 @@ double change_of_what_is_right(int n) {
   Material m(d.grid), before(d.grid);
   set_sheared(m, d, 1);
   set_sheared(before, d, 1);
-  restore_unit_determinant(m.B, d.grid, d.halo, 0);
+  restore_unit_determinant(m.B, d.grid, d.halo, 0, 1);
   EXPECT_EQ(m.B.xy(1, 1, 1), before.B.xy(1, 1, 1)) << "shear stays";
   return largest(d, [&](int i, int j, int k) {
     return std::max(std::abs(m.B.xx(i, j, k) - before.B.xx(i, j, k)),
@@ -71,7 +71,7 @@ TEST(UnitDeterminant, IsReachedWithinAFewSteps) {
   Domain d(MPI_COMM_WORLD, {16, 6, 16}, {}, support::faces(6, 2, 1.2));
   Material m(d.grid);
   set_sheared(m, d, 1.5);
-  for (int step = 0; step < 10; ++step) restore_unit_determinant(m.B, d.grid, d.halo, 0);
+  for (int step = 0; step < 10; ++step) restore_unit_determinant(m.B, d.grid, d.halo, 0, 1);
   const auto off = [&](int i, int j, int k) {
     return std::abs(tensor_at_center(m.B, i, j, k).determinant() - 1);
   };
@@ -82,9 +82,20 @@ TEST(UnitDeterminant, LeavesRowsBelowTheFirstAlone) {
   Domain d(MPI_COMM_WORLD, {8, 6, 8}, {}, support::faces(6, 2, 0));
   Material m(d.grid);
   set_sheared(m, d, 1.2);
-  restore_unit_determinant(m.B, d.grid, d.halo, 3);
+  restore_unit_determinant(m.B, d.grid, d.halo, 3, 1);
   EXPECT_EQ(m.B.yy(3, 2, 3), Real(1.2));
   EXPECT_LT(m.B.yy(3, 3, 3), 1.15);
+}
+
+TEST(UnitDeterminant, IsRestoredInProportionToTheTime) {
+  Domain d(MPI_COMM_WORLD, {8, 6, 8}, {}, support::faces(6, 2, 0));
+  Material m(d.grid), whole(d.grid);
+  for (Material* each : {&m, &whole}) set_sheared(*each, d, 1.1);
+  restore_unit_determinant(m.B, d.grid, d.halo, 0, 0.25);
+  restore_unit_determinant(whole.B, d.grid, d.halo, 0, 1);
+  EXPECT_NEAR(1.1 - m.B.yy(2, 2, 2), 0.25 * (1.1 - whole.B.yy(2, 2, 2)), support::round_off(10));
+  EXPECT_EQ(restored_share(0.5), 0.25);
+  EXPECT_EQ(restored_share(100), 1);
 }
 
 /// A B that is no longer a strain is not blown up.
