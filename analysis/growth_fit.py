@@ -12,8 +12,8 @@ def fitted_rates(t, records, guesses, steps=60):
     s = np.array(guesses, complex) - shift
 
     def rest(s):
-        waves = np.exp(np.outer(t, s))
-        waves /= np.abs(waves).max(axis=0)
+        exponents = np.outer(t, s)
+        waves = np.exp(exponents - exponents.real.max(axis=0))  # 1 at most, whatever rate is tried
         return (records - waves @ np.linalg.lstsq(waves, records, rcond=None)[0]).ravel()
 
     def slopes(s, step=1e-6):

@@ -58,6 +58,12 @@ struct VectorField {
       : x(g, ghost, memory), y(g, ghost, memory), z(g, ghost, memory) {}
 };
 
+/// A vector field of so many planes, without ghost layers, plane by plane in memory.
+[[nodiscard]] inline VectorField some_planes(Grid g, int planes) {
+  g.nz = planes;
+  return {g, 0, Memory::kByPlane};
+}
+
 /// Six components of a symmetric tensor: normal ones at centers, shear ones on edges.
 struct TensorField {
   Field xx, yy, zz, xy, xz, yz;

@@ -8,6 +8,7 @@
 #include "solver/solid/limiter.hpp"
 #include "solver/solid/skin.hpp"
 #include "solver/solid/stretching.hpp"
+#include "solver/solid/unit_determinant.hpp"
 
 namespace softwall::solid {
 
@@ -50,10 +51,7 @@ TransportedB::TransportedB(const SolidSpec& spec, const Grid& grid,
       share_(spec.interface == InterfaceTransport::kHeight ? kFluidAtFlatInterface : kMeanByVolume, grid),
       edges_(grid) {
   if (spec.interface == InterfaceTransport::kMthinc) fraction_.emplace(grid, halo);
-  if (spec.interface == InterfaceTransport::kHeight) {
-    height_.emplace(grid, halo, spec.weno);
-    unit_determinant_.emplace(grid, halo);
-  }
+  if (spec.interface == InterfaceTransport::kHeight) height_.emplace(grid, halo, spec.weno);
   if (spec.extension == Extension::kNormal) normal_.emplace(grid, decomposition, halo);
 }
 
@@ -75,7 +73,9 @@ void TransportedB::transport(Material& material, const grid::VectorField& veloci
   if (fraction_) fraction_->advance(material.phi, velocity, stage, dt, first_row);
   if (height_) height_->advance(material.phi, velocity, stage, dt, first_row);
   update(material, stage, dt, first_row);
-  if (unit_determinant_) unit_determinant_->restore(material.B, first_row);
+  if (height_) {
+    restore_unit_determinant(material.B, grid_, halo_, first_row, restored_share(2 * stage.alpha * dt));
+  }
   make_consistent(material, first_row, ready);
 }
 

@@ -10,7 +10,6 @@
 #include "solver/solid/height_transport.hpp"
 #include "solver/solid/normal_extension.hpp"
 #include "solver/solid/solid_edges.hpp"
-#include "solver/solid/unit_determinant.hpp"
 
 /// The paper's formulation: phi and B are carried by the flow, equations (6)-(7), phi as the case asks for:
 ///   phi^k = phi^{k-1} - dt [ beta div(u phi)^{k-1} + gamma div(u phi)^{k-2} ]
@@ -57,7 +56,6 @@ class TransportedB : public Formulation {
   // What moves phi, as the case asks for it; advection_ where it asks for neither.
   std::optional<FractionTransport> fraction_;
   std::optional<HeightTransport> height_;
-  std::optional<UnitDeterminant> unit_determinant_;  ///< present under a height
   Rates now_, before_;
   InterfaceShare share_;
   SolidEdges edges_;

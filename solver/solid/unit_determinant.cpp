@@ -1,52 +1,32 @@
 #include "solver/solid/unit_determinant.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "solver/grid/cell_loop.hpp"
 #include "solver/solid/limiter.hpp"
 
 namespace softwall::solid {
 
-namespace {
-
-/// Determinants beyond belong to a B that is no longer the solid's: what is left of it is not to be blown up.
-constexpr double kLeast = 0.125, kMost = 8;
-
-}  // namespace
-
-void UnitDeterminant::restore(grid::TensorField& B, int first_row) {
-  const int ny = grid_.ny;
-  halo_.fill({&B.xx, &B.yy, &B.zz, &B.xy, &B.xz, &B.yz}, {first_row, ny + 1});
-  find_scale(B, first_row);
-  const auto s = std::as_const(scale_).view();
-  const auto centers = grid::rows(grid_, first_row, ny), faces = grid::rows(grid_, first_row, ny + 1);
-  for (grid::Field* normal : {&B.xx, &B.yy, &B.zz}) {
-    const auto q = normal->view();
-    grid::for_each_cell(centers, [=](int i, int j, int k) { q(i, j, k) *= s(i, j, k); });
-  }
-  const auto xy = B.xy.view(), xz = B.xz.view(), yz = B.yz.view();
-  grid::for_each_cell(faces, [=](int i, int j, int k) {
-    xy(i, j, k) *= (s(i, j, k) + s(i - 1, j, k) + s(i, j - 1, k) + s(i - 1, j - 1, k)) / 4;
-    yz(i, j, k) *= (s(i, j, k) + s(i, j, k - 1) + s(i, j - 1, k) + s(i, j - 1, k - 1)) / 4;
-  });
-  grid::for_each_cell(centers, [=](int i, int j, int k) {
-    xz(i, j, k) *= (s(i, j, k) + s(i - 1, j, k) + s(i, j, k - 1) + s(i - 1, j, k - 1)) / 4;
-  });
+double factor_of_normals(const SymmetricTensor& B) {
+  constexpr double kLeast = 0.5, kMost = 0.1;
+  const double determinant = B.determinant();
+  // d det / d factor at 1: every normal component times its cofactor.
+  const double slope =
+      3 * B.xx * B.yy * B.zz - (B.xx * B.yz * B.yz + B.yy * B.xz * B.xz + B.zz * B.xy * B.xy);
+  const bool is_strain = determinant > kLeast && slope > 0;
+  return is_strain ? 1 + std::clamp((1 - determinant) / slope, -kMost, kMost) : 1;
 }
 
-/// In one ghost column and plane on every side, too; the rows beyond the first and last repeat them.
-void UnitDeterminant::find_scale(const grid::TensorField& B, int first_row) {
-  const int nx = grid_.nx, ny = grid_.ny, nz = grid_.nz;
-  const auto s = scale_.view();
-  grid::for_each_cell({-1, nx + 1, first_row, ny, -1, nz + 1}, [=, &B](int i, int j, int k) {
-    s(i, j, k) = Real(1 / std::cbrt(std::clamp(tensor_at_center(B, i, j, k).determinant(), kLeast, kMost)));
+void restore_unit_determinant(grid::TensorField& B, const Grid& grid, grid::Halo& halo, int first_row,
+                              double share) {
+  halo.fill({&B.xy, &B.xz, &B.yz}, {first_row, grid.ny + 1});
+  const auto xx = B.xx.view(), yy = B.yy.view(), zz = B.zz.view();
+  grid::for_each_cell(grid::rows(grid, first_row, grid.ny), [=, &B](int i, int j, int k) {
+    const auto factor = Real(1 + share * (factor_of_normals(tensor_at_center(B, i, j, k)) - 1));
+    xx(i, j, k) *= factor;
+    yy(i, j, k) *= factor;
+    zz(i, j, k) *= factor;
   });
-  for (const auto& [beyond, row] : {std::pair{first_row - 1, first_row}, std::pair{ny, ny - 1}}) {
-    grid::for_each_cell({-1, nx + 1, beyond, beyond + 1, -1, nz + 1},
-                        [=, from = row](int i, int j, int k) { s(i, j, k) = s(i, from, k); });
-  }
 }
 
 }  // namespace softwall::solid

@@ -2,29 +2,32 @@
 
 #include "solver/grid/halo.hpp"
 #include "solver/solid/material.hpp"
+#include "solver/solid/symmetric_tensor.hpp"
 
-/// Keeps det B = 1, which holds for any motion without divergence: B is divided by the cube root of its
-/// determinant. Transport makes a mean of neighbouring B, and the mean of tensors of determinant 1 has a
-/// larger one, so that without this the layer grew stiffer with every turn of a wave: det B reached 2.8 in a
-/// layer of G = 0.25 after 58 h/U_b, 33 at G = 0.125 after 41. What B loses is of the order of the errors of
-/// transport; to first order in the strain it is a pressure.
+/// Keeps det B = 1, which holds for any motion without divergence. Transport makes a mean of neighbouring B,
+/// and the mean of tensors of determinant 1 has a larger one, so that without this the layer grew stiffer
+/// with every turn of a wave: det B reached 2.8 in a layer of G = 0.25 after 58 h/U_b, 33 at G = 0.125
+/// after 41. What B loses is of the order of the errors of transport; to first order in the strain it is a
+/// pressure.
 namespace softwall::solid {
 
-class UnitDeterminant {
- public:
-  UnitDeterminant(const Grid& grid, grid::Halo& halo) : grid_(grid), halo_(halo), scale_(grid, 1) {}
+/// By how much the normal components must be multiplied for B to have the determinant 1, after one step of
+/// Newton's iteration from 1; at most a tenth more or less. 1 where B is far from a strain: its limiter will
+/// lift it.
+[[nodiscard]] double factor_of_normals(const SymmetricTensor& B);
 
-  /// Divides B in rows first_row and above: normal components by the factor of their cell, shear components
-  /// by the mean of the four cells around them. Fills the ghost cells of B, and scales some of them: fill
-  /// them again.
-  void restore(grid::TensorField& B, int first_row);
+/// What a substep of this length [h/U_b] restores of the determinant. It is lost over tens of h/U_b, so that
+/// two are soon enough, and what means at centers leave of it in a passing wave hardly counts.
+[[nodiscard]] inline double restored_share(double duration) {
+  constexpr double kTime = 2;  // h/U_b
+  return duration < kTime ? duration / kTime : 1;
+}
 
- private:
-  void find_scale(const grid::TensorField& B, int first_row);
-
-  const Grid& grid_;
-  grid::Halo& halo_;
-  grid::Field scale_;  ///< det B to the power of -1/3, at centers
-};
+/// Changes the normal components in rows first_row and above by a share of what the factor of their cell asks
+/// for. The shear components stay: a layer at rest holds its load by them, and to scale them by what their
+/// means at centers leave of the determinant would let it creep for ever. Fills the shear components' ghost
+/// cells.
+void restore_unit_determinant(grid::TensorField& B, const Grid& grid, grid::Halo& halo, int first_row,
+                              double share);
 
 }  // namespace softwall::solid

@@ -8,11 +8,6 @@ namespace softwall::solid::reference_map {
 
 namespace {
 
-grid::VectorField some_planes(Grid g, int planes) {
-  g.nz = planes;
-  return {g, 0, grid::Memory::kByPlane};
-}
-
 /// Half the way to the mean of the six neighbours.
 Real way_to_neighbours(const View<const Real>& q, int i, int j, int k) {
   return (q(i + 1, j, k) + q(i - 1, j, k) + q(i, j + 1, k) + q(i, j - 1, k) + q(i, j, k + 1) +
@@ -35,7 +30,7 @@ Damage::Damage(const Grid& grid)
       rows_(static_cast<std::size_t>(grid.nz + 1) * static_cast<std::size_t>(grid.ny), 0) {}
 
 Mending::Mending(const Grid& grid, int planes)
-    : grid_(grid), planes_(planes), moves_(some_planes(grid, planes)) {}
+    : grid_(grid), planes_(planes), moves_(grid::some_planes(grid, planes)) {}
 
 /// A point moves with the worse of the two cells beside it.
 void Mending::find(const Damage& damage, const grid::VectorField& d, const RowsOfAPlane& rows) {

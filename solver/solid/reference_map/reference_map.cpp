@@ -18,11 +18,6 @@ int lowest_kept_row(int first_row) { return std::max(0, first_row - kGhost); }
 /// Planes of rates that are found before the first of them is used: as far as transport reads.
 constexpr int kPlanes = kGhost + 1;
 
-grid::VectorField some_planes(Grid g) {
-  g.nz = kPlanes;
-  return {g, 0, grid::Memory::kByPlane};
-}
-
 }  // namespace
 
 ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid,
@@ -32,7 +27,7 @@ ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid,
       decomposition_(decomposition),
       halo_(halo),
       speeds_(grid),
-      recent_(some_planes(grid)),
+      recent_(grid::some_planes(grid, kPlanes)),
       before_(grid, 0),
       volume_error_(grid, 1),
       damage_(grid),
