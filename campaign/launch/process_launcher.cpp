@@ -75,7 +75,8 @@ void ProcessLauncher::prepare(const std::filesystem::path& solver, int ranks) {
   }
   programs_ = {*mpirun, solver};
   if (ranks == 0) return;
-  const std::string trouble = trouble_with_launch(*mpirun, ranks);
+  ProcessLauncher idle({*mpirun, find_on_path("true").value_or("/bin/true")});
+  const std::string trouble = trouble_with_launch(idle, ranks);
   if (trouble.empty()) return;
   throw BadInput(
       "mpirun",

@@ -10,10 +10,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "campaign/launch/process_launcher.hpp"
 #include "campaign/launch/scratch.hpp"
 #include "campaign/system/clock.hpp"
-#include "campaign/system/find_program.hpp"
 #include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
@@ -55,8 +53,7 @@ std::string words_in(const std::filesystem::path& log) {
   return text.substr(0, kLongestText);
 }
 
-std::string try_in(const RunFiles& run, const ProcessLauncher::Programs& programs, int ranks) {
-  ProcessLauncher launcher(programs);
+std::string try_in(const RunFiles& run, Launcher& launcher, int ranks) {
   static_cast<void>(launcher.start({"trial", run.directory, 0, ranks, std::nullopt}));
   const double end = monotonic_seconds() + kLongestSeconds;
   std::vector<EndedAttempt> ended;
@@ -73,11 +70,10 @@ std::string try_in(const RunFiles& run, const ProcessLauncher::Programs& program
 
 }  // namespace
 
-std::string trouble_with_launch(const std::filesystem::path& mpirun, int ranks) {
+std::string trouble_with_launch(Launcher& launcher, int ranks) {
   try {
-    const auto nothing = find_on_path("true");
     const TrialFolder folder;
-    return try_in(folder.run(), {mpirun, nothing.value_or("/bin/true")}, ranks);
+    return try_in(folder.run(), launcher, ranks);
   } catch (const std::runtime_error& error) {
     return error.what();
   }

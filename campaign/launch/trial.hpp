@@ -1,12 +1,13 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
+
+#include "campaign/launch/launcher.hpp"
 
 namespace softwall::campaign {
 
-/// Starts that many ranks of a program that does nothing, as an attempt would be started. Why this does not
-/// work, in mpirun's own words; empty when it does. Waits a minute at most.
-[[nodiscard]] std::string trouble_with_launch(const std::filesystem::path& mpirun, int ranks);
+/// Starts an attempt of that many ranks, by a launcher whose solver is a program that does nothing. Why this
+/// does not work, in the words of what it started; empty when it does. Waits a minute at most.
+[[nodiscard]] std::string trouble_with_launch(Launcher& launcher, int ranks);
 
 }  // namespace softwall::campaign

@@ -15,56 +15,14 @@
 #include "tests/campaign/core/examples.hpp"
 #include "tests/campaign/observe/run_directory_files.hpp"
 #include "tests/campaign/runner/fake_launcher.hpp"
+#include "tests/campaign/runner/runner_fixture.hpp"
 #include "tests/campaign/store/examples.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign {
 namespace {
 
-using softwall::test::TemporaryFolder;
 using test::FakeLauncher;
-
-constexpr int kDone = static_cast<int>(ExitCode::kDone);
-
-/// A precursor and four elastic cases on two cores, with everything real but the processes.
-class RunnerTest : public ::testing::Test {
- protected:
-  RunnerTest() {
-    auto document = tests::elastic_campaign();
-    document["execution"] = {{"ranks", 1}, {"precursor_ranks", 2}, {"cores", 2}};
-    campaign_ = tests::campaign_of(document);
-  }
-
-  [[nodiscard]] const CampaignCase& case_of(const std::string& id) const {
-    return *std::ranges::find_if(campaign_.cases, [&](const auto& one) { return one.definition.id == id; });
-  }
-
-  /// What a solver leaves that reaches the end.
-  int finish(const LaunchRequest& request) const {
-    const RunFiles run{request.run_directory};
-    const double end_time = case_of(request.case_id).definition.run.end_time;
-    test::write_checkpoint(run, request.case_id, 1000, end_time);
-    auto statistics = analysis::samples::elastic_statistics({}, 20);
-    statistics.case_id = request.case_id;
-    analysis::write_statistics(run.statistics(), statistics);
-    test::write_summary(run, request.case_id, request.attempt, "finished", 1000, end_time);
-    return kDone;
-  }
-
-  RunnerReport run(Launcher& launcher, RunnerOptions options = {}) {
-    options.poll = std::chrono::milliseconds(1);
-    Signals signals;
-    Progress progress("");
-    Store store = Store::open(folder_.path(), OpenMode::kCreate);
-    return Runner(campaign_, folder_.path(), {launcher, store, progress, signals}, options).run();
-  }
-
-  [[nodiscard]] Store store() const { return Store::open(folder_.path(), OpenMode::kReadOnly); }
-  [[nodiscard]] const std::string& id(std::size_t i) const { return campaign_.cases.at(i).definition.id; }
-
-  TemporaryFolder folder_;
-  Campaign campaign_;
-};
 
 TEST_F(RunnerTest, RunsThePrecursorFirstThenAsManyAsFit) {
   std::vector<std::string> order;
@@ -310,61 +268,6 @@ TEST_F(RunnerTest, FinishedWithoutStatisticsIsTold) {
   EXPECT_EQ(report.finished, 4U);
   ASSERT_EQ(report.failed.size(), 1U);
   EXPECT_NE(report.failed[0].reason.find("without a result"), std::string::npos);
-}
-
-TEST_F(RunnerTest, DamagedStatisticsAreMadeAgainFromTheLastCheckpoint) {
-  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
-  run(launcher);
-  std::filesystem::resize_file(run_files(folder_.path(), campaign_.cases[2]).statistics(), 700);
-  std::filesystem::remove(run_files(folder_.path(), campaign_.cases[3]).statistics());
-  FakeLauncher second([&](const LaunchRequest& request) { return finish(request); });
-  const RunnerReport report = run(second);
-  EXPECT_EQ(report.finished, 5U);
-  EXPECT_TRUE(report.failed.empty());
-  ASSERT_EQ(second.started.size(), 2U);
-  EXPECT_EQ(second.started[0].case_id, id(2));
-  EXPECT_EQ(second.started[1].case_id, id(3));
-}
-
-/// A case of which every attempt ends in order after step 500.
-class LadderTest : public RunnerTest {
- protected:
-  LadderTest() {
-    FakeLauncher launcher([&](const LaunchRequest& request) {
-      if (case_of(request.case_id).is_precursor) return finish(request);
-      test::write_checkpoint(RunFiles{request.run_directory}, request.case_id, 500, 1.0);
-      return 1;
-    });
-    run(launcher);
-  }
-  [[nodiscard]] RunFiles files() const { return run_files(folder_.path(), campaign_.cases[1]); }
-};
-
-TEST_F(LadderTest, ACheckpointThatCannotBeReadIsWaitedForAndLeftAlone) {
-  const auto newest = files().checkpoint(600);
-  std::filesystem::create_symlink(newest, newest);  // whoever opens it is refused by the system
-  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
-  const RunnerReport report = run(launcher);
-  ASSERT_EQ(report.unfinished.size(), 1U);
-  EXPECT_NE(report.unfinished[0].reason.find("checkpoint-000000600.h5: it cannot be read"), std::string::npos)
-      << report.unfinished[0].reason;
-  EXPECT_TRUE(report.failed.empty());
-  EXPECT_TRUE(std::filesystem::is_symlink(newest));
-  EXPECT_EQ(launcher.started.size(), 3U) << "the others go on";
-}
-
-TEST_F(LadderTest, ACaseThatHadCheckpointsDoesNotStartOverUnasked) {
-  std::filesystem::resize_file(files().checkpoint(500), 4096);
-  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
-  for (int i = 0; i < 2; ++i) {
-    const RunnerReport report = run(launcher);
-    ASSERT_EQ(report.unfinished.size(), 1U);
-    EXPECT_NE(report.unfinished[0].reason.find("--start-over"), std::string::npos);
-  }
-  EXPECT_EQ(launcher.started.size(), 3U);
-  RunnerOptions options;
-  options.start_over = true;
-  EXPECT_EQ(run(launcher, options).finished, 5U);
 }
 
 /// An attempt that never makes a step and ends only when it is killed.
