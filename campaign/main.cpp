@@ -11,9 +11,11 @@
 #include "campaign/runner/campaign_lock.hpp"
 #include "campaign/store/sqlite.hpp"
 #include "campaign/store/text_width.hpp"
+#include "campaign/system/signals.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/option_number.hpp"
 #include "solver/case/spelling.hpp"
+#include "solver/case/standard_streams.hpp"
 #include "solver/run_directory/build_info.hpp"
 
 /// softwall: the command line of the campaign manager.
@@ -70,6 +72,8 @@ CommandLine::CommandLine() {
             },
             ""))
         ->capture_default_str();
+    command->add_flag("--start-over", arguments_.run.start_over,
+                      "Let cases that had checkpoints, of which none can be used, start from the beginning");
   }
   CLI::App* plan = add("plan", "Show what run would do, and what it would cost",
                        [](const Arguments& given) { return show_plan(given.path, given.json); });
@@ -192,9 +196,9 @@ ExitStatus delivered(ExitStatus status) {
 }
 
 ExitStatus run_reporting_errors(int count, char** words) {
+  const bool runs =
+      count > 1 && (std::string_view(words[1]) == "run" || std::string_view(words[1]) == "resume");
   try {
-    const bool runs =
-        count > 1 && (std::string_view(words[1]) == "run" || std::string_view(words[1]) == "resume");
     const ExitStatus status = CommandLine().run(count, words);
     return runs ? status : delivered(status);
   } catch (const BadInput& error) {
@@ -205,7 +209,7 @@ ExitStatus run_reporting_errors(int count, char** words) {
     return ExitStatus::kOwned;
   } catch (const SqliteError& error) {
     std::cerr << "softwall: " << printable_lines(error.what()) << "\n" << advice_for(error);
-    return ExitStatus::kError;
+    return runs && error.may_pass() ? ExitStatus::kUnfinished : ExitStatus::kError;
   } catch (const std::exception& error) {
     std::cerr << "softwall: " << printable_lines(error.what()) << "\n";
     return ExitStatus::kError;
@@ -216,5 +220,7 @@ ExitStatus run_reporting_errors(int count, char** words) {
 }  // namespace softwall::campaign
 
 int main(int count, char** words) {
+  softwall::open_standard_streams();
+  softwall::campaign::expect_children();
   return static_cast<int>(softwall::campaign::run_reporting_errors(count, words));
 }

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "solver/case/option_number.hpp"
+#include "solver/case/standard_streams.hpp"
 #include "solver/right_program.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stop_request.hpp"
@@ -29,6 +30,7 @@ softwall::RunOptions parse(CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  softwall::open_standard_streams();
   softwall::install_signal_handlers();
   CLI::App app("Direct numerical simulation of channel flow over a rigid or an elastic wall");
   softwall::RunOptions options;

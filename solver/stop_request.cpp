@@ -20,10 +20,18 @@ void handle(int signal, void (*handler)(int)) {
   ::sigaction(signal, &action, nullptr);
 }
 
+bool is_ignored(int signal) {
+  struct sigaction now {};
+  return ::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 void install_signal_handlers() {
-  for (const int signal : {SIGUSR1, SIGTERM, SIGINT}) handle(signal, remember);
+  handle(SIGUSR1, remember);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    if (!is_ignored(signal)) handle(signal, remember);
+  }
   for (const int signal : {SIGPIPE, SIGXFSZ}) handle(signal, SIG_IGN);
 }
 
@@ -35,6 +43,8 @@ std::string describe_stop_signal(int signal) {
       return "stopped on request";
     case SIGINT:
       return "stopped on request (Ctrl-C)";
+    case SIGHUP:
+      return "stopped because its terminal was closed (SIGHUP)";
     case SIGTERM:
       return "ended from outside (SIGTERM)";
     default:

@@ -29,9 +29,10 @@ fs::path campaign_file(const fs::path& path) {
   return path / kCampaignFile;
 }
 
+/// Without symbolic links: a solver that works there knows the folder by this name.
 fs::path folder_of(const fs::path& path) {
-  const fs::path absolute = fs::absolute(path).lexically_normal();
-  return is_folder(absolute) ? absolute : absolute.parent_path();
+  const fs::path folder = is_folder(path) ? path : fs::absolute(path).parent_path();
+  return fs::weakly_canonical(folder);
 }
 
 }  // namespace
@@ -51,7 +52,11 @@ std::vector<Observation> observe_with_history(const LoadedCampaign& loaded, cons
   std::error_code unreadable;
   if (!fs::exists(store_path(loaded.folder), unreadable)) return observations;
   const Store store = Store::open(loaded.folder, OpenMode::kReadOnly);
-  for (Observation& seen : observations) seen = with_history(seen, store);
+  const auto records = store.all_cases();
+  for (Observation& seen : observations) {
+    const auto known = records.find(seen.case_id);
+    if (known != records.end()) seen = with_history(seen, known->second);
+  }
   return observations;
 }
 

@@ -13,6 +13,8 @@ namespace softwall::campaign {
 
 struct RunOptions {
   double stall_minutes = 30.0;  ///< an attempt without a step for this long is ended and tried again
+  bool start_over =
+      false;  ///< cases that had checkpoints, of which none can be used, start from the beginning
 };
 [[nodiscard]] ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& options);
 

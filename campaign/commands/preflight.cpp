@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "campaign/core/case_mistakes.hpp"
@@ -18,6 +19,7 @@
 #include "solver/case/file_descriptor.hpp"
 #include "solver/run_directory/checkpoint_size.hpp"
 #include "solver/run_directory/programs.hpp"
+#include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -111,6 +113,44 @@ void add_obstacles_of_cases(const Campaign& campaign, const std::vector<Decision
   for (Mistake& mistake : mistakes.all(cases)) result.mistakes.push_back(std::move(mistake));
 }
 
+void add(const BadInput& error, Preflight& result) {
+  for (const Mistake& mistake : error.mistakes)
+    result.mistakes.push_back({error.source, mistake.given, mistake.allowed});
+}
+
+/// Of a case that is yet to be started; 0: there is none, and nothing needs to be tried.
+int most_ranks(const Campaign& campaign, const std::vector<Decision>& decisions) {
+  int most = 0;
+  for (std::size_t i = 0; i < decisions.size(); ++i)
+    if (may_start(decisions[i].outlook)) most = std::max(most, campaign.cases[i].ranks);
+  return most;
+}
+
+void prepare(Launcher& launcher, const fs::path& solver, int ranks, Preflight& result) {
+  try {
+    launcher.prepare(solver, ranks);
+  } catch (const BadInput& error) {
+    add(error, result);
+  }
+}
+
+/// Open MPI aborts a solver whose checkpoint has a path of 247 characters (measured, 4.1.4).
+void add_paths_that_are_too_long(const LoadedCampaign& loaded, const std::vector<Decision>& decisions,
+                                 Preflight& result) {
+  constexpr std::size_t kLongestPath = 240;
+  std::string longest;
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    if (!may_start(decisions[i].outlook)) continue;
+    const RunFiles run{loaded.folder / loaded.campaign.cases[i].directory};
+    const std::string path = run.checkpoint(0).string() + ".tmp";
+    if (path.size() > longest.size()) longest = path;
+  }
+  if (longest.size() <= kLongestPath) return;
+  result.mistakes.push_back(
+      {longest, "a path of " + std::to_string(longest.size()) + " characters",
+       "at most " + std::to_string(kLongestPath) + ": use a folder with a shorter name"});
+}
+
 /// What would become of the cases on a machine with any number of cores.
 std::vector<Decision> decide_without_limit(Campaign campaign, const std::vector<Observation>& observations) {
   campaign.execution.cores = 0;
@@ -130,15 +170,16 @@ Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>
   Preflight result;
   const bool here = launcher.capacity().has_value();  // else a scheduler knows its machines, and we do not
   Machine machine{campaign.execution.cores, here ? memory_here() : 0.0, {}};
+  std::optional<fs::path> solver;
   try {
-    const fs::path solver = find_solver();
-    machine.missing_programs = missing_programs(solver);
-    launcher.prepare(solver);
+    solver = find_solver();
+    machine.missing_programs = missing_programs(*solver);
   } catch (const BadInput& error) {
-    for (const Mistake& mistake : error.mistakes)
-      result.mistakes.push_back({error.source, mistake.given, mistake.allowed});
+    add(error, result);
   }
   add_obstacles_of_cases(campaign, decisions, machine, result);
+  add_paths_that_are_too_long(loaded, decisions, result);
+  if (solver && result.mistakes.empty()) prepare(launcher, *solver, most_ranks(campaign, decisions), result);
   result.disk_bytes = disk_bytes(campaign, observations);
   result.disk_free_bytes = static_cast<double>(fs::space(loaded.folder).available);
   result.memory_bytes = memory_side_by_side(campaign, decisions);

@@ -86,6 +86,7 @@ Count fill(Store& store, const LoadedCampaign& loaded, const std::vector<Campaig
     all.insert(all.end(), left_over.begin(), left_over.end());
     return std::pair(all, attempts_in_old_store(loaded.folder, all));
   }();
+  Transaction together(store.connection());
   store.record_campaign(loaded.campaign);
   store.record_left_over(left_over);
   Count count;
@@ -96,8 +97,9 @@ Count fill(Store& store, const LoadedCampaign& loaded, const std::vector<Campaig
       for (const PastAttempt& each : known->second)
         store.restore_attempt(one.definition.id, each.attempt, each.start, each.end);
     }
-    import_history(store, one, run, *launcher);
-    if (observe(one, run, *launcher).state != CaseState::kFinished) continue;
+    const Observation seen = observe(one, run, *launcher);
+    import_history(store, one, run, seen);
+    if (seen.state != CaseState::kFinished) continue;
     try {
       count.results += import_result(store, one, run) ? 1 : 0;
     } catch (const SqliteError&) {
@@ -107,6 +109,7 @@ Count fill(Store& store, const LoadedCampaign& loaded, const std::vector<Campaig
       std::cerr << one.definition.label << ": no result: " << printable_lines(error.what()) << "\n";
     }
   }
+  together.commit();
   return count;
 }
 

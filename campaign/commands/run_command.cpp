@@ -84,6 +84,7 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
     }
     RunnerOptions runner_options;
     runner_options.stall_seconds = options.stall_minutes * 60;
+    runner_options.start_over = options.start_over;
     report =
         Runner(loaded.campaign, loaded.folder, {*launcher, store, progress, signals}, runner_options).run();
   }

@@ -1,10 +1,15 @@
-#include <array>
 #include <iostream>
+#include <optional>
 
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
+#include "campaign/commands/findings.hpp"
+#include "campaign/commands/verify_record.hpp"
+#include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
+#include "campaign/runner/campaign_lock.hpp"
+#include "campaign/store/store.hpp"
 #include "schemas/embedded.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/input_file.hpp"
@@ -16,18 +21,6 @@
 
 namespace softwall::campaign {
 namespace {
-
-/// Counts what was looked at and tells what is wrong.
-struct Findings {
-  int checked = 0;
-  int wrong = 0;
-  void add(const std::string& what, const std::string& trouble) {
-    ++checked;
-    if (trouble.empty()) return;
-    ++wrong;
-    std::cout << "BAD  " << what << ": " << trouble << "\n";
-  }
-};
 
 std::string trouble_with_statistics(const RunFiles& run, const std::string& case_id) {
   try {
@@ -53,33 +46,97 @@ std::string trouble_with_json(const std::filesystem::path& file, std::string_vie
   }
 }
 
-void verify_case(const CampaignCase& one, const RunFiles& run, Findings& findings) {
-  const std::string& id = one.definition.id;
-  const auto name_of = [&](const std::filesystem::path& file) {
-    return one.directory + "/" + file.lexically_relative(run.directory).string();
-  };
-  for (const auto& file : checkpoint_ladder(run)) {
-    const CheckpointVerdict verdict = verify_checkpoint(file, id);
-    findings.add(name_of(file), verdict.valid ? "" : verdict.reason);
+/// case.json is the case that it says to be, and the one that this directory is for.
+std::string trouble_with_case(const RunFiles& run, const std::string& case_id) {
+  if (!std::filesystem::exists(run.case_file())) return "is missing";
+  if (auto trouble = trouble_with_json(run.case_file(), schemas::kCaseSchema); !trouble.empty())
+    return trouble;
+  try {
+    const std::string id = read_case(run.case_file()).id;
+    return id == case_id ? "" : "describes case " + id + ", not " + case_id;
+  } catch (const BadInput& error) {
+    return error.what();
   }
-  if (std::filesystem::exists(run.summary())) {
-    findings.add(name_of(run.summary()), read_summary(run, id)
-                                             ? trouble_with_json(run.summary(), schemas::kSummarySchema)
-                                             : "cannot be read, or is not of case " + id);
-  }
-  const std::array<std::pair<std::filesystem::path, std::string_view>, 3> others = {
-      {{run.case_file(), schemas::kCaseSchema},
-       {run.run_record(), schemas::kRunSchema},
-       {run.status(), schemas::kStatusSchema}}};
-  for (const auto& [file, schema] : others) {
-    if (std::filesystem::exists(file)) findings.add(name_of(file), trouble_with_json(file, schema));
-  }
-  const Observation seen = observe_files(one, run);
-  if (seen.state != CaseState::kFinished) return;
-  findings.add(name_of(run.checkpoints()),
-               seen.newest_checkpoint ? "" : "a finished case without a checkpoint");
-  findings.add(name_of(run.statistics()), trouble_with_statistics(run, id));
 }
+
+std::string trouble_with_summary(const RunFiles& run, const std::string& case_id) {
+  return read_summary(run, case_id) ? trouble_with_json(run.summary(), schemas::kSummarySchema)
+                                    : "cannot be read, or is not of case " + case_id;
+}
+
+std::string trouble_with_run_record(const RunFiles& run, const std::string& case_id) {
+  if (!std::filesystem::exists(run.run_record())) return "is missing";
+  if (auto trouble = trouble_with_json(run.run_record(), schemas::kRunSchema); !trouble.empty())
+    return trouble;
+  const auto record = read_run_record(run);
+  return record && record->case_id == case_id ? "" : "cannot be read, or is not of case " + case_id;
+}
+
+/// An attempt that ends in order writes a checkpoint of the step that its summary tells.
+std::string trouble_with_newest(const RunFiles& run, const std::string& case_id) {
+  const auto summary = read_summary(run, case_id);
+  if (!summary || (summary->outcome != "finished" && summary->outcome != "interrupted")) return "";
+  if (std::filesystem::exists(run.checkpoint(summary->step))) return "";
+  return "that of step " + std::to_string(summary->step) + ", with which the last attempt ended, is missing";
+}
+
+class Verification {
+ public:
+  Verification(const LoadedCampaign& loaded, Findings& findings) : loaded_(loaded), findings_(findings) {
+    if (std::filesystem::exists(store_path(loaded.folder))) store_ = open_store();
+  }
+
+  void check(const CampaignCase& one, const RunFiles& run, bool busy) {
+    const std::string& id = one.definition.id;
+    if (!std::filesystem::exists(run.directory)) return;
+    const auto tell = [&](const std::filesystem::path& file, const std::string& trouble) {
+      findings_.add(one.directory + "/" + file.lexically_relative(run.directory).string(), trouble);
+    };
+    for (const auto& file : checkpoint_ladder(run)) {
+      const CheckpointVerdict verdict = verify_checkpoint(file, id);
+      // The solver at work removes the oldest whenever it has written one.
+      if (!verdict.valid && busy && !std::filesystem::exists(file)) continue;
+      tell(file, verdict.valid ? "" : verdict.reason);
+    }
+    tell(run.case_file(), trouble_with_case(run, id));
+    if (std::filesystem::exists(run.status()))
+      tell(run.status(), trouble_with_json(run.status(), schemas::kStatusSchema));
+    if (std::filesystem::exists(run.summary())) tell(run.summary(), trouble_with_summary(run, id));
+    if (!busy) check_at_rest(one, run, tell);
+  }
+
+ private:
+  /// What fits together only while nobody writes.
+  template <class Tell>
+  void check_at_rest(const CampaignCase& one, const RunFiles& run, const Tell& tell) {
+    const std::string& id = one.definition.id;
+    if (std::filesystem::exists(run.summary())) {
+      tell(run.run_record(), trouble_with_run_record(run, id));
+      tell(run.checkpoints(), trouble_with_newest(run, id));
+      if (store_) tell(run.summary(), difference_of_attempt(*store_, one, run));
+    }
+    if (observe_files(one, run).state != CaseState::kFinished) return;
+    tell(run.statistics(), trouble_with_statistics(run, id));
+    if (store_) tell(run.statistics(), difference_of_result(*store_, one, run));
+  }
+
+  std::optional<Store> open_store() {
+    try {
+      Store store = Store::open(loaded_.folder, OpenMode::kReadOnly);
+      Statement check = store.connection().prepare("PRAGMA integrity_check(1)");
+      const std::string verdict = check.step() ? check.text(0) : "no answer";
+      findings_.add("results.db", verdict == "ok" ? "" : verdict);
+      return store;
+    } catch (const SqliteError& error) {
+      findings_.add("results.db", error.what());
+      return std::nullopt;
+    }
+  }
+
+  const LoadedCampaign& loaded_;
+  Findings& findings_;
+  std::optional<Store> store_;
+};
 
 std::vector<const CampaignCase*> choose(const Campaign& campaign, const std::optional<std::string>& chosen) {
   std::vector<const CampaignCase*> cases;
@@ -100,9 +157,13 @@ std::vector<const CampaignCase*> choose(const Campaign& campaign, const std::opt
 ExitStatus verify_campaign(const std::filesystem::path& path, const std::optional<std::string>& chosen) {
   const LoadedCampaign loaded = load_campaign(path);
   Findings findings;
-  for (const CampaignCase* one : choose(loaded.campaign, chosen)) {
-    verify_case(*one, run_files(loaded.folder, *one), findings);
-  }
+  const auto cases = choose(loaded.campaign, chosen);
+  std::vector<RunFiles> runs;
+  for (const CampaignCase* one : cases) runs.push_back(run_files(loaded.folder, *one));
+  const bool owned = living_owner(loaded.folder).has_value();  // who starts one case while we look at another
+  const auto busy = occupied(runs, *make_launcher(loaded.campaign.execution.launcher));
+  Verification verification(loaded, findings);
+  for (std::size_t i = 0; i < cases.size(); ++i) verification.check(*cases[i], runs[i], owned || busy[i]);
   std::cout << findings.checked << " files checked, " << findings.wrong << " bad." << std::endl;
   return findings.wrong == 0 ? ExitStatus::kDone : ExitStatus::kFailedCases;
 }

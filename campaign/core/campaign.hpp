@@ -59,8 +59,11 @@ struct Observation {
   std::optional<std::filesystem::path> newest_checkpoint;  ///< newest one that is valid
   int attempts = 0;
   int attempts_without_progress = 0;  ///< the last ones in a row that added no step
-  bool retry_allowed = true;          ///< false: the solver said that trying again cannot help (bad case)
-  double seconds_per_step = 0.0;      ///< wall clock, measured; 0: not known
+  /// What a person has to see to before it may run again: checkpoints that cannot be read just now, or of
+  /// which none is left although there have been some. Empty: nothing.
+  std::string needs_person;
+  bool retry_allowed = true;      ///< false: the solver said that trying again cannot help (bad case)
+  double seconds_per_step = 0.0;  ///< wall clock, measured; 0: not known
 };
 
 }  // namespace softwall::campaign

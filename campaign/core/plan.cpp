@@ -1,6 +1,7 @@
 #include "campaign/core/plan.hpp"
 
-#include <map>
+#include <string_view>
+#include <unordered_map>
 
 #include "solver/case/time_comparison.hpp"
 
@@ -10,12 +11,12 @@ namespace {
 class Planner {
  public:
   Planner(const Campaign& campaign, const std::vector<Observation>& observations) : campaign_(campaign) {
-    for (const auto& observation : observations) observations_[observation.case_id] = observation;
+    for (const auto& observation : observations) observations_[observation.case_id] = &observation;
     for (const auto& c : campaign.cases) cases_[c.definition.id] = &c;
   }
 
   [[nodiscard]] Decision decide(const CampaignCase& c) const {
-    const Observation seen = observation(c.definition.id);
+    const Observation& seen = observation(c.definition.id);
     if (seen.running || seen.state == CaseState::kRunning)
       return made(c, Outlook::kRunning, "a solver is at work on it");
     if (is_finished(c)) return made(c, Outlook::kKept, "finished");
@@ -44,14 +45,15 @@ class Planner {
     return seen.attempts == 0 ? "new" : "again from the start, no checkpoint yet" + after(seen);
   }
 
-  [[nodiscard]] Observation observation(const std::string& case_id) const {
+  [[nodiscard]] const Observation& observation(const std::string& case_id) const {
+    static const Observation kNothing;
     const auto found = observations_.find(case_id);
-    return found == observations_.end() ? Observation{} : found->second;
+    return found == observations_.end() ? kNothing : *found->second;
   }
 
   /// A finished case whose end time has since been extended is not finished.
   [[nodiscard]] bool is_finished(const CampaignCase& c) const {
-    const Observation seen = observation(c.definition.id);
+    const Observation& seen = observation(c.definition.id);
     return seen.state == CaseState::kFinished && has_reached(seen.time, c.definition.run.end_time);
   }
 
@@ -60,6 +62,7 @@ class Planner {
     const Execution& execution = campaign_.execution;
     if (seen.state == CaseState::kDiverged)
       return "diverged" + after(seen) + "; it would do so again unchanged";
+    if (!seen.needs_person.empty()) return seen.needs_person;
     if (!seen.retry_allowed) return "cannot succeed unchanged" + after(seen);
     if (seen.attempts_without_progress >= execution.max_failures_without_progress)
       return std::to_string(seen.attempts_without_progress) + " attempts without progress" + after(seen);
@@ -75,7 +78,10 @@ class Planner {
     const CampaignCase& precursor = *found->second;
     const std::string& name = precursor.definition.label;
     if (is_finished(precursor)) {
-      if (observation(c.precursor_id).newest_checkpoint) return made(c, Outlook::kStart, start_reason(seen));
+      const Observation& start = observation(c.precursor_id);
+      if (start.newest_checkpoint) return made(c, Outlook::kStart, start_reason(seen));
+      if (!start.needs_person.empty())
+        return made(c, Outlook::kBlocked, "needs " + name + ": " + start.needs_person);
       return made(c, Outlook::kBlocked, name + " has finished, but none of its checkpoints is valid");
     }
     const Decision before = decide(precursor);
@@ -85,8 +91,8 @@ class Planner {
   }
 
   const Campaign& campaign_;
-  std::map<std::string, Observation> observations_;
-  std::map<std::string, const CampaignCase*> cases_;
+  std::unordered_map<std::string_view, const Observation*> observations_;
+  std::unordered_map<std::string_view, const CampaignCase*> cases_;
 };
 
 }  // namespace

@@ -31,6 +31,12 @@ enum class StopLevel { kCheckpoint, kTerminate, kKill };
 /// launcher knows what it means; softwall keeps it in run.json and in the store.
 using Handle = std::string;
 
+/// Where an attempt works, or worked last. An empty handle means whatever works in the run directory.
+struct AttemptPlace {
+  std::filesystem::path run_directory;
+  Handle handle;
+};
+
 /// Whether an attempt is still there.
 enum class Presence {
   kQueued,   ///< accepted, not yet begun
@@ -45,8 +51,9 @@ class Launcher {
  public:
   virtual ~Launcher() = default;
 
-  /// Needed once before the first start(): finds what starting takes. Throws BadInput when it is not there.
-  virtual void prepare(const std::filesystem::path& solver) = 0;
+  /// Needed once before the first start(): finds what starting takes and, where ranks is not 0, tries whether
+  /// so many can be started. Throws BadInput with the launcher's own words where they cannot.
+  virtual void prepare(const std::filesystem::path& solver, int ranks) = 0;
   /// Starts an attempt. Throws std::runtime_error when it cannot be started.
   [[nodiscard]] virtual Handle start(const LaunchRequest& request) = 0;
   /// Takes over an attempt that an earlier softwall started: true when it goes on by itself and collect()
@@ -58,10 +65,13 @@ class Launcher {
   /// True when no attempt that was started or adopted is left to collect.
   [[nodiscard]] virtual bool idle() const = 0;
 
-  /// The three below serve every attempt, whoever started it. An empty handle asks for whatever works in the
-  /// run directory.
-  [[nodiscard]] virtual Presence presence(const std::filesystem::path& run_directory,
-                                          const Handle& handle) const = 0;
+  /// The four below serve every attempt, whoever started it.
+  /// One answer a place. Asks for all of them at once: a look at the processes of a machine, or at a queue,
+  /// takes as long for one attempt as for ten thousand.
+  [[nodiscard]] virtual std::vector<Presence> presences(const std::vector<AttemptPlace>& places) const = 0;
+  [[nodiscard]] Presence presence(const std::filesystem::path& run_directory, const Handle& handle) const {
+    return presences({{run_directory, handle}}).front();
+  }
   virtual void stop(const std::filesystem::path& run_directory, const Handle& handle, StopLevel level) = 0;
   /// Removes what the launcher itself left for a run directory where nobody works any more.
   virtual void clean_up(const std::filesystem::path& run_directory) = 0;

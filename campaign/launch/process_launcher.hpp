@@ -12,8 +12,9 @@ namespace softwall::campaign {
 /// Starts attempts on this machine: mpirun, directly from argument arrays (no shell sees a name).
 /// start() must be called from one thread: the kernel's parent-death signal belongs to the thread that forks.
 ///
-/// Each attempt has its own process group, so that a Ctrl-C at the terminal reaches only softwall. If
-/// softwall itself is killed, the kernel sends SIGUSR1 to mpirun, which asks every rank to write a checkpoint
+/// Each attempt has its own session, so that neither Ctrl-C at the terminal nor its end reaches more than
+/// softwall, and works in its run directory, which softwall's own current folder may not outlive. If softwall
+/// itself is killed, the kernel sends SIGUSR1 to mpirun, which asks every rank to write a checkpoint
 /// and end.
 class ProcessLauncher final : public Launcher {
  public:
@@ -29,17 +30,16 @@ class ProcessLauncher final : public Launcher {
   ProcessLauncher(const ProcessLauncher&) = delete;
   ProcessLauncher& operator=(const ProcessLauncher&) = delete;
 
-  /// mpirun of the PATH, for this solver.
-  void prepare(const std::filesystem::path& solver) override;
-  /// The handle is mpirun's ProcessIdentity as JSON. It is for people: attempts are found by the run
-  /// directory in the environment of their processes, because ranks may outlive their mpirun.
+  /// mpirun of the PATH, for this solver; tries it out.
+  void prepare(const std::filesystem::path& solver, int ranks) override;
+  /// The handle is mpirun's ProcessIdentity as JSON. It is for people: attempts are found by the
+  /// marks of their processes (system/work_marks.hpp), because ranks may outlive their mpirun.
   [[nodiscard]] Handle start(const LaunchRequest& request) override;
   /// False: solvers of this machine end with the softwall that started them.
   [[nodiscard]] bool adopt(const LaunchRequest&, const Handle&) override { return false; }
   std::vector<EndedAttempt> collect() override;
   [[nodiscard]] bool idle() const override { return running_.empty(); }
-  [[nodiscard]] Presence presence(const std::filesystem::path& run_directory,
-                                  const Handle& handle) const override;
+  [[nodiscard]] std::vector<Presence> presences(const std::vector<AttemptPlace>& places) const override;
   void stop(const std::filesystem::path& run_directory, const Handle& handle, StopLevel level) override;
   void clean_up(const std::filesystem::path& run_directory) override;
   [[nodiscard]] std::optional<int> capacity() const override;
@@ -52,7 +52,7 @@ class ProcessLauncher final : public Launcher {
     int exit_code = 0;
     double ended_at = 0.0;  ///< monotonic seconds
   };
-  [[nodiscard]] bool is_over(Running& attempt) const;
+  void note_end(Running& attempt) const;
 
   Programs programs_;
   std::map<std::string, Running> running_;  ///< by case id

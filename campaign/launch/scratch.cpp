@@ -10,6 +10,7 @@
 
 #include <xxhash.h>
 
+#include "campaign/system/work_marks.hpp"
 #include "solver/case/hexadecimal.hpp"
 
 namespace softwall::campaign {
@@ -17,15 +18,26 @@ namespace {
 
 constexpr std::size_t kLongestRoot = 40;  // leaves room for a session path within the 108 bytes of a socket
 
-std::filesystem::path temporary_root() {
-  std::error_code ignored;
-  const auto root = std::filesystem::temp_directory_path(ignored);
-  return !root.empty() && root.string().size() <= kLongestRoot ? root : std::filesystem::path("/tmp");
+std::string name_for(const std::filesystem::path& run_directory) {
+  const std::string path = canonical_run_directory(run_directory);
+  return "softwall-" + std::to_string(getuid()) + "-" + hexadecimal(XXH3_64bits(path.data(), path.size()));
 }
 
-std::string name_for(const std::filesystem::path& run_directory) {
-  const std::string path = std::filesystem::weakly_canonical(run_directory);
-  return "softwall-" + std::to_string(getuid()) + "-" + hexadecimal(XXH3_64bits(path.data(), path.size()));
+/// Free, or a directory that this user has made.
+bool is_ours_to_use(const std::filesystem::path& name) {
+  struct stat status {};
+  if (lstat(name.c_str(), &status) != 0) return errno == ENOENT;
+  return S_ISDIR(status.st_mode) && status.st_uid == geteuid();
+}
+
+/// The folder is common to all users, and anybody can make a name that he can guess.
+std::filesystem::path usable_name(const std::filesystem::path& root, const std::string& name) {
+  constexpr int kMostNames = 100;
+  for (int i = 0; i < kMostNames; ++i) {
+    const auto candidate = root / (i == 0 ? name : name + "-" + std::to_string(i));
+    if (is_ours_to_use(candidate)) return candidate;
+  }
+  return root / name;  // create() says what is wrong
 }
 
 void make_private(const std::filesystem::path& directory) {
@@ -38,11 +50,19 @@ void make_private(const std::filesystem::path& directory) {
 
 }  // namespace
 
+std::filesystem::path temporary_root() {
+  std::error_code ignored;
+  const auto root = std::filesystem::temp_directory_path(ignored);
+  // A relative one would be another folder for mpirun, which works in the run directory.
+  const bool usable = root.is_absolute() && root.string().size() <= kLongestRoot;
+  return usable ? root : std::filesystem::path("/tmp");
+}
+
 Scratch::Scratch(const std::filesystem::path& run_directory) {
   const std::string name = name_for(run_directory);
-  session_ = temporary_root() / name;
+  session_ = usable_name(temporary_root(), name);
   const std::filesystem::path memory = "/dev/shm";
-  shared_memory_ = access(memory.c_str(), W_OK) == 0 ? memory / name : session_ / "shm";
+  shared_memory_ = access(memory.c_str(), W_OK) == 0 ? usable_name(memory, name) : session_ / "shm";
 }
 
 void Scratch::create() const {

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "campaign/observe/run_reports.hpp"
 #include "solver/case/atomic_file.hpp"
 #include "solver/case/hexadecimal.hpp"
 
@@ -41,12 +42,27 @@ Ladder check_ladder(const RunFiles& run, const std::string& case_id) {
       ladder.header = verdict.header;
       break;
     }
+    if (verdict.unreadable) {
+      ladder.unreadable = verdict.reason;
+      break;
+    }
     const auto bad = free_name_for_bad(file);
     std::filesystem::rename(file, bad);
     ladder.set_aside.push_back({bad, verdict.reason});
   }
   if (!ladder.set_aside.empty()) sync_directory(run.checkpoints());
   return ladder;
+}
+
+bool checkpoints_are_lost(const RunFiles& run, const std::string& case_id) {
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(run.checkpoints(), none)) {
+    const std::string name = entry.path().filename();
+    if (name.starts_with("checkpoint-") && name.find(".h5.bad") != std::string::npos) return true;
+  }
+  const auto summary = read_summary(run, case_id);
+  return summary && summary->step > 0 &&
+         (summary->outcome == "interrupted" || summary->outcome == "finished");
 }
 
 std::vector<CheckpointRecord> checkpoint_records(const RunFiles& run,

@@ -21,11 +21,22 @@ struct Ladder {
   std::optional<std::filesystem::path> newest;  ///< newest valid checkpoint
   CheckpointHeader header;                      ///< of it
   std::vector<SetAside> set_aside;
+  std::string
+      unreadable;  ///< why the newest cannot be read just now, so that nothing is known; empty: it can
 };
 
 /// Read the checkpoints of a run directory in full, newest first, until one is valid for this case; rename
-/// those that are not. Good checkpoints are never touched. Only while no solver works there.
+/// those that are not. One that cannot be read ends the search, and is left alone. Good checkpoints are never
+/// touched. Only while no solver works there.
 [[nodiscard]] Ladder check_ladder(const RunFiles& run, const std::string& case_id);
+
+/// Whether there have been checkpoints of which none is left under its name: some were set aside, or an
+/// attempt ended in order after its first step.
+[[nodiscard]] bool checkpoints_are_lost(const RunFiles& run, const std::string& case_id);
+
+/// What is said of a case that is not started over by itself.
+inline constexpr const char* kNoCheckpointLeft =
+    "it had checkpoints, and none of them can be used; to let it start from the beginning: --start-over";
 
 /// All checkpoints of a run directory for the store, judged by their headers, then those just set aside.
 [[nodiscard]] std::vector<CheckpointRecord> checkpoint_records(const RunFiles& run,

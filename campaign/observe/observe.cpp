@@ -10,8 +10,10 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 
 #include "campaign/core/label.hpp"
+#include "campaign/observe/ladder.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/system/process_identity.hpp"
 #include "solver/case/bad_input.hpp"
@@ -33,7 +35,7 @@ bool is_finished(const Summary& summary, const CampaignCase& campaign_case) {
   return summary.outcome == "finished" && has_reached(summary.time, campaign_case.definition.run.end_time);
 }
 
-void observe_checkpoints(const RunFiles& run, Observation& observation) {
+void observe_ladder(const RunFiles& run, Observation& observation) {
   for (const auto& file : checkpoint_ladder(run)) {
     try {
       const CheckpointHeader header = read_checkpoint_header(file);
@@ -42,10 +44,24 @@ void observe_checkpoints(const RunFiles& run, Observation& observation) {
       observation.step = std::max(observation.step, header.step);
       observation.time = std::max(observation.time, header.time);
       return;
+    } catch (const std::system_error& error) {
+      observation.needs_person = file.filename().string() + ": " + error.what();
+      return;
     } catch (const std::runtime_error&) {
       continue;  // it will be set aside before the next launch
     }
   }
+}
+
+/// What cannot be read is not damaged, and a case that had come far does not start over unasked.
+void observe_checkpoints(const RunFiles& run, Observation& observation) {
+  try {
+    observe_ladder(run, observation);
+  } catch (const std::system_error& error) {
+    observation.needs_person = error.what();
+  }
+  if (observation.newest_checkpoint || !observation.needs_person.empty()) return;
+  if (checkpoints_are_lost(run, observation.case_id)) observation.needs_person = kNoCheckpointLeft;
 }
 
 void apply_summary(const Summary& summary, const CampaignCase& campaign_case, Observation& observation) {
@@ -168,12 +184,23 @@ RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& camp
   return {std::filesystem::absolute(folder / campaign_case.directory).lexically_normal()};
 }
 
-bool is_occupied(const RunFiles& run, const Launcher& launcher) {
-  if (!std::filesystem::exists(run.directory)) return false;
-  const auto record = read_run_record(run);
-  return launcher.presence(run.directory, record ? record->handle : Handle()) != Presence::kGone ||
-         lock_is_held(run.lock());
+std::vector<bool> occupied(const std::vector<RunFiles>& runs, const Launcher& launcher) {
+  std::vector<AttemptPlace> places;
+  std::vector<std::size_t> there;  // nobody works in a directory that has not been made
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!std::filesystem::exists(runs[i].directory)) continue;
+    const auto record = read_run_record(runs[i]);
+    places.push_back({runs[i].directory, record ? record->handle : Handle()});
+    there.push_back(i);
+  }
+  const auto presences = launcher.presences(places);
+  std::vector<bool> found(runs.size(), false);
+  for (std::size_t k = 0; k < there.size(); ++k)
+    found[there[k]] = presences[k] != Presence::kGone || lock_is_held(runs[there[k]].lock());
+  return found;
 }
+
+bool is_occupied(const RunFiles& run, const Launcher& launcher) { return occupied({run}, launcher).front(); }
 
 Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run) {
   Observation observation;
@@ -181,40 +208,55 @@ Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run
   observation.end_time = campaign_case.definition.run.end_time;
   if (!std::filesystem::exists(run.directory)) return observation;
 
-  observe_checkpoints(run, observation);
+  if (const auto record = read_run_record(run)) observation.attempts = record->attempt;
+  const auto summary = read_summary(run, observation.case_id);
+  // An older summary says nothing about an attempt that was started after it and left none.
+  const bool speaks = summary && summary->attempt >= observation.attempts;
+  if (speaks) observation.attempts = summary->attempt;
+  // Of a case that is done, nobody needs the checkpoints but those that start from it.
+  const bool done = speaks && is_finished(*summary, campaign_case) && !campaign_case.is_precursor;
+  if (!done) observe_checkpoints(run, observation);
   if (observation.newest_checkpoint) {
     observation.state = CaseState::kInterrupted;
     observation.reason = "ended without a word";
   }
-  if (const auto record = read_run_record(run)) observation.attempts = record->attempt;
-  const auto summary = read_summary(run, observation.case_id);
-  // An older summary says nothing about an attempt that was started after it and left none.
-  if (summary && summary->attempt >= observation.attempts) {
-    observation.attempts = summary->attempt;
-    apply_summary(*summary, campaign_case, observation);
+  if (speaks) apply_summary(*summary, campaign_case, observation);
+  return observation;
+}
+
+Observation without_lost_checkpoints(Observation observation) {
+  if (observation.needs_person == kNoCheckpointLeft) observation.needs_person.clear();
+  return observation;
+}
+
+namespace {
+
+Observation observe_work(const CampaignCase& campaign_case, const RunFiles& run, bool busy) {
+  Observation observation = observe_files(campaign_case, run);
+  if (!busy) return observation;
+  observation.running = true;
+  observation.state = CaseState::kRunning;
+  observation.reason.clear();  // it spoke of an end that is over
+  if (const auto status = read_status(run, observation.case_id)) {
+    observation.seconds_per_step = status->seconds_per_step;
   }
   return observation;
 }
 
+}  // namespace
+
 Observation observe(const CampaignCase& campaign_case, const RunFiles& run, const Launcher& launcher) {
-  Observation observation = observe_files(campaign_case, run);
-  if (is_occupied(run, launcher)) {
-    observation.running = true;
-    observation.state = CaseState::kRunning;
-    observation.reason.clear();  // it spoke of an end that is over
-    if (const auto status = read_status(run, observation.case_id)) {
-      observation.seconds_per_step = status->seconds_per_step;
-    }
-  }
-  return observation;
+  return observe_work(campaign_case, run, is_occupied(run, launcher));
 }
 
 std::vector<Observation> observe_all(const Campaign& campaign, const std::filesystem::path& folder,
                                      const Launcher& launcher) {
+  std::vector<RunFiles> runs;
+  for (const CampaignCase& one : campaign.cases) runs.push_back(run_files(folder, one));
+  const auto busy = occupied(runs, launcher);
   std::vector<Observation> all;
-  for (const CampaignCase& one : campaign.cases) {
-    all.push_back(observe(one, run_files(folder, one), launcher));
-  }
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    all.push_back(observe_work(campaign.cases[i], runs[i], busy[i]));
   return all;
 }
 

@@ -15,13 +15,18 @@ namespace softwall::campaign {
 /// The run directory of a case in the campaign's folder, absolute.
 [[nodiscard]] RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& campaign_case);
 
-/// True while an attempt is queued or at work in the run directory as its launcher sees it, or while anybody
-/// holds the solver's lock.
+/// One answer a run directory, after one look at all of them. True while an attempt is queued or at work in
+/// the run directory as its launcher sees it, or while anybody holds the solver's lock.
+[[nodiscard]] std::vector<bool> occupied(const std::vector<RunFiles>& runs, const Launcher& launcher);
 [[nodiscard]] bool is_occupied(const RunFiles& run, const Launcher& launcher);
 
-/// The state of one case as if nobody worked on it. Checkpoints are looked at by their headers only.
+/// The state of one case as if nobody worked on it. Checkpoints are looked at by their headers only, and
+/// not at all where the case has finished and is no precursor.
 /// `attempts` is the newest attempt that left a trace; counting failures is the store's business.
 [[nodiscard]] Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run);
+
+/// The same where a person lets cases start over.
+[[nodiscard]] Observation without_lost_checkpoints(Observation observation);
 
 /// The state of one case.
 [[nodiscard]] Observation observe(const CampaignCase& campaign_case, const RunFiles& run,

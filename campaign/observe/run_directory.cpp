@@ -26,8 +26,7 @@ void prepare_run_directory(const Case& definition, const RunFiles& run,
                            const std::filesystem::path& initial_checkpoint) {
   std::filesystem::create_directories(run.checkpoints());
   if (const auto id = id_of_case_in(run); id && *id != definition.id) {
-    throw std::runtime_error(run.directory.string() + " holds another case, " + *id + ", not " +
-                             definition.id);
+    throw NotThisCase(run.directory.string() + " holds another case, " + *id + ", not " + definition.id);
   }
   Case prepared = definition;
   if (!initial_checkpoint.empty()) {

@@ -1,15 +1,21 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 
 #include "solver/case/case.hpp"
 #include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
 
+/// A run directory that holds another case.
+struct NotThisCase : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Make the run directory of a case and write its case.json anew: `run` may have changed since the last
 /// attempt, the physics cannot. initial_checkpoint: of the precursor, absolute; may be empty. Throws
-/// std::runtime_error when it cannot be written, or when the directory holds another case.
+/// std::system_error when it cannot be written, NotThisCase when the directory holds another case.
 void prepare_run_directory(const Case& definition, const RunFiles& run,
                            const std::filesystem::path& initial_checkpoint);
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -12,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/system/process_identity.hpp"
+#include "solver/case/bad_input.hpp"
 #include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
@@ -46,16 +48,45 @@ void write_owner(int file) {
   if (ftruncate(file, 0) == 0 && pwrite(file, text.data(), text.size(), 0) > 0) fsync(file);
 }
 
+/// Only a file of this name that is none of somebody else's: what is written into it must not end up behind a
+/// link.
+FileDescriptor open_lock_file(const std::filesystem::path& file) {
+  // O_CLOEXEC: a surviving solver must not keep the lock of a dead runner. O_NONBLOCK: a pipe must not stop
+  // us.
+  FileDescriptor opened(
+      open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, S_IRUSR | S_IWUSR));
+  const int error = errno;
+  struct stat status {};
+  if (error == ELOOP || (opened && (fstat(opened.get(), &status) != 0 || !S_ISREG(status.st_mode)))) {
+    throw BadInput(file.string(),
+                   {{"", "a symbolic link or a device", "a file that softwall has made: remove it"}});
+  }
+  if (!opened) {
+    throw std::runtime_error("cannot write in the campaign folder " + file.parent_path().string() + ": " +
+                             std::strerror(error));
+  }
+  // Whoever can open it can lock it. It may be from a time when all could.
+  if (status.st_uid == geteuid()) fchmod(opened.get(), S_IRUSR | S_IWUSR);
+  return opened;
+}
+
+/// Those who only ask whether the file is locked hold a lock themselves for that moment: it is waited for.
+bool lock_for_good(int file) {
+  constexpr int kMostTries = 10;
+  for (int i = 0; i < kMostTries; ++i) {
+    if (flock(file, LOCK_EX | LOCK_NB) == 0) return true;
+    if (errno != EWOULDBLOCK && errno != EINTR) return false;
+    usleep(20'000);
+  }
+  errno = EWOULDBLOCK;
+  return false;
+}
+
 }  // namespace
 
 CampaignLock::CampaignLock(const std::filesystem::path& folder) {
-  // O_CLOEXEC: a surviving solver must not keep the lock of a dead runner.
-  file_ = FileDescriptor(open(lock_file(folder).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
-  if (!file_) {
-    throw std::runtime_error("cannot write in the campaign folder " + folder.string() + ": " +
-                             std::strerror(errno));
-  }
-  if (flock(file_.get(), LOCK_EX | LOCK_NB) == 0) {
+  file_ = open_lock_file(lock_file(folder));
+  if (lock_for_good(file_.get())) {
     write_owner(file_.get());
     return;
   }
@@ -70,10 +101,10 @@ CampaignLock::CampaignLock(const std::filesystem::path& folder) {
 }
 
 std::optional<std::string> living_owner(const std::filesystem::path& folder) {
-  const FileDescriptor file(open(lock_file(folder).c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file) return std::nullopt;
+  const FileDescriptor file(open(lock_file(folder).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+  if (!file || flock(file.get(), LOCK_SH | LOCK_NB) == 0 || errno != EWOULDBLOCK) return std::nullopt;
   const auto owner = read_owner(file.get());
-  return owner && is_alive(owner->process) ? std::optional(owner->describe()) : std::nullopt;
+  return owner ? owner->describe() : "another softwall";
 }
 
 }  // namespace softwall::campaign

@@ -18,16 +18,17 @@ struct CampaignOwned : std::runtime_error {
 /// holder, so nothing is ever unlocked by hand; the record inside is only there to name the holder.
 class CampaignLock {
  public:
-  /// Throws CampaignOwned when another process holds it, std::runtime_error when the folder cannot be
-  /// written.
+  /// Throws CampaignOwned when another process holds it, BadInput when the name stands for something else
+  /// than a file, std::runtime_error when the folder cannot be written.
   explicit CampaignLock(const std::filesystem::path& folder);
 
  private:
   FileDescriptor file_;
 };
 
-/// "softwall on HOST, process N, started ..." while a runner of this host works on the campaign in folder.
-/// Reads only: it never takes the lock, not even for a moment.
+/// "softwall on HOST, process N, started ..." while a runner works on the campaign in folder. The lock is
+/// asked, not the list of processes: a runner on another host, or in another container, is in no list that is
+/// seen from here. Changes nothing; asking takes a shared lock for a moment, which CampaignLock waits for.
 [[nodiscard]] std::optional<std::string> living_owner(const std::filesystem::path& folder);
 
 }  // namespace softwall::campaign

@@ -14,7 +14,12 @@ CaseBook::CaseBook(Campaign campaign, std::filesystem::path folder, Store& store
       folder_(std::move(folder)),
       store_(store),
       progress_(progress),
-      observations_(campaign_.cases.size()) {}
+      observations_(campaign_.cases.size()) {
+  for (std::size_t i = 0; i < campaign_.cases.size(); ++i) {
+    index_.emplace(campaign_.cases[i].definition.id, i);
+    started_by_[campaign_.cases[i].precursor_id].push_back(i);
+  }
+}
 
 const CampaignCase& CaseBook::find(const std::string& case_id) const {
   return campaign_.cases[index_of(case_id)];
@@ -27,10 +32,23 @@ const Observation& CaseBook::seen(const CampaignCase& one) const {
 }
 
 void CaseBook::look_at(const CampaignCase& one) {
+  const auto known = store_.find_case(one.definition.id);
+  look_at(one, observe_files(one, files_of(one)), known.value_or(CaseRecord{}));
+}
+
+void CaseBook::look_at(const CampaignCase& one, const Observation& files, const CaseRecord& known) {
   const std::string& id = one.definition.id;
-  Observation now = with_history(observe_files(one, files_of(one)), store_);
+  Observation now = with_history(files, known);
   now.retry_allowed = now.retry_allowed && !paused_.contains(id) && !given_up_.contains(id);
-  observations_[index_of(id)] = now;
+  observations_[index_of(id)] = may_start_over_ ? without_lost_checkpoints(now) : now;
+}
+
+void CaseBook::mark_unfinished(const CampaignCase& one, const std::filesystem::path& last_checkpoint,
+                               const std::string& reason) {
+  Observation& now = observations_[index_of(one.definition.id)];
+  now.state = CaseState::kInterrupted;
+  now.newest_checkpoint = last_checkpoint;
+  now.reason = reason;
 }
 
 void CaseBook::mark_running(const CampaignCase& one) {
@@ -50,6 +68,8 @@ void CaseBook::look_at_precursors() {
     now.reason = "its last checkpoint was damaged";
     now.step = ladder.newest ? ladder.header.step : 0;
     now.time = ladder.newest ? ladder.header.time : 0.0;
+    if (!ladder.newest && !may_start_over_) now.needs_person = kNoCheckpointLeft;
+    if (!ladder.unreadable.empty()) now.needs_person = ladder.unreadable;
   }
 }
 
@@ -82,20 +102,16 @@ Ladder CaseBook::check(const CampaignCase& one) {
 }
 
 std::size_t CaseBook::index_of(const std::string& case_id) const {
-  const auto found =
-      std::ranges::find_if(campaign_.cases, [&](const auto& one) { return one.definition.id == case_id; });
-  if (found == campaign_.cases.end()) throw std::logic_error("no case " + case_id + " in this campaign");
-  return static_cast<std::size_t>(found - campaign_.cases.begin());
+  const auto found = index_.find(case_id);
+  if (found == index_.end()) throw std::logic_error("no case " + case_id + " in this campaign");
+  return found->second;
 }
 
 bool CaseBook::is_needed(const CampaignCase& precursor) const {
-  for (std::size_t i = 0; i < campaign_.cases.size(); ++i) {
-    if (campaign_.cases[i].precursor_id == precursor.definition.id &&
-        observations_[i].state != CaseState::kFinished) {
-      return true;
-    }
-  }
-  return false;
+  const auto found = started_by_.find(precursor.definition.id);
+  if (found == started_by_.end()) return false;
+  return std::ranges::any_of(found->second,
+                             [&](std::size_t i) { return observations_[i].state != CaseState::kFinished; });
 }
 
 }  // namespace softwall::campaign

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "campaign/core/campaign.hpp"
@@ -19,6 +20,9 @@ namespace softwall::campaign {
 class CaseBook {
  public:
   CaseBook(Campaign campaign, std::filesystem::path folder, Store& store, Progress& progress);
+  /// From now on cases may start from the beginning although they had checkpoints.
+  void allow_starting_over() { may_start_over_ = true; }
+  [[nodiscard]] bool may_start_over() const { return may_start_over_; }
 
   [[nodiscard]] const Campaign& campaign() const { return campaign_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
@@ -32,7 +36,11 @@ class CaseBook {
   /// Observe the files of a case anew. Whether a solver works on it is not asked: the runner knows which
   /// cases it has started or adopted, and has ended all others before.
   void look_at(const CampaignCase& one);
+  void look_at(const CampaignCase& one, const Observation& files, const CaseRecord& known);
   void mark_running(const CampaignCase& one);
+  /// It has finished, but goes on from its last checkpoint, because something that it left is missing.
+  void mark_unfinished(const CampaignCase& one, const std::filesystem::path& last_checkpoint,
+                       const std::string& reason);
   /// A finished precursor is of use only with its last checkpoint: if that is damaged, the precursor is to go
   /// on from an older one, which gives the same last checkpoint again.
   void look_at_precursors();
@@ -57,6 +65,9 @@ class CaseBook {
   Store& store_;
   Progress& progress_;
   std::vector<Observation> observations_;
+  std::unordered_map<std::string, std::size_t> index_;                    ///< by case id
+  std::unordered_map<std::string, std::vector<std::size_t>> started_by_;  ///< by the precursor's id
+  bool may_start_over_ = false;
   std::map<std::string, std::string> given_up_, paused_;  ///< case id -> reason
 };
 

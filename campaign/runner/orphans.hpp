@@ -19,8 +19,10 @@ struct WorkPlace {
 
 /// Solvers that an earlier softwall left at work (it was killed): asks each to write a checkpoint and end,
 /// more firmly as time passes, and waits until no process is left; then removes their temporary files.
-/// Afterwards no solver works in any of the places. False when the user asked to stop meanwhile. Throws
-/// std::runtime_error for a solver that cannot be reached from here: of another user or host.
+/// Afterwards no solver works in any of the places. False when the user asked to stop meanwhile: the first
+/// request asks for what has been asked already, further ones make it firmer, and nobody waits for what
+/// cannot be reached. Throws std::runtime_error for a solver that cannot be reached from here: of another
+/// user or host.
 bool end_orphans(const std::vector<WorkPlace>& places, Launcher& launcher, StopGrace grace, Signals& signals,
                  Progress& progress);
 

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "campaign/core/eta.hpp"
 #include "campaign/observe/history.hpp"
+#include "campaign/observe/ladder.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_directory.hpp"
 #include "campaign/observe/run_reports.hpp"
-#include "campaign/runner/orphans.hpp"
 #include "campaign/runner/wording.hpp"
 #include "campaign/store/import_results.hpp"
 #include "campaign/system/clock.hpp"
@@ -18,13 +19,19 @@
 namespace softwall::campaign {
 namespace {
 
-constexpr double kTellSeconds = 300.0;       // between progress lines where there is no terminal
-constexpr double kStopRepeatSeconds = 10.0;  // a signal that reaches mpirun before its ranks exist is lost
+constexpr double kTellSeconds = 300.0;  // between progress lines where there is no terminal
 
 /// "All cores there are" as a number, for the plan too.
 Campaign with_counted_cores(Campaign campaign, const Launcher& launcher) {
   campaign.execution.cores = cores_to_use(campaign.execution.cores, launcher);
   return campaign;
+}
+
+/// It has shown for so long already that it makes no step; a checkpoint is not likely to come later.
+StopGrace grace_of_a_stalled_one(const RunnerOptions& options) {
+  StopGrace grace = options.grace;
+  grace.checkpoint_seconds = std::min(grace.checkpoint_seconds, options.stall_seconds);
+  return grace;
 }
 
 bool failed_by_itself(AttemptOutcome outcome) {
@@ -42,6 +49,7 @@ Runner::Runner(Campaign campaign, std::filesystem::path folder, Parts parts, Run
       options_(options),
       book_(with_counted_cores(std::move(campaign), parts.launcher), std::move(folder), parts.store,
             parts.progress) {
+  if (options_.start_over) book_.allow_starting_over();
   store_.connection().wait_for_locks([this] { return wait_for_store(); });
 }
 
@@ -50,8 +58,8 @@ Runner::~Runner() {
 }
 
 RunnerReport Runner::run() {
-  if (!take_stock()) return report();
   try {
+    if (!take_stock()) return report();
     while (true) {
       for (const EndedAttempt& ended : launcher_.collect()) record_end(ended);
       if (signals_.stop_requests() > 0) {
@@ -114,73 +122,32 @@ void Runner::keep_history(const CampaignCase& one) {
   }
 }
 
-/// What an earlier runner left: its solvers adopted or ended, the store brought up to the run directories.
-bool Runner::take_stock() {
-  const auto& cases = book_.campaign().cases;
-  store_.record_campaign(book_.campaign());
-  const bool ready = end_what_is_not_adopted();
-  for (const CampaignCase& one : cases) {
-    if (ready && !working_.contains(one.definition.id)) {
-      import_history(store_, one, book_.files_of(one), launcher_);
-      store_.forgive(one.definition.id);  // whoever runs the campaign again asks for another try
-    }
-    book_.look_at(one);
-    if (working_.contains(one.definition.id)) book_.mark_running(one);
-  }
-  if (!ready) return false;
-  book_.look_at_precursors();
-  for (const CampaignCase& one : cases) {
-    if (book_.seen(one).state == CaseState::kFinished) deliver_result(one);
-  }
-  return true;
-}
-
-bool Runner::end_what_is_not_adopted() {
-  std::vector<WorkPlace> others;
-  for (const CampaignCase& one : book_.campaign().cases) {
-    if (!adopt(one)) others.push_back({one.definition.label, book_.files_of(one)});
-  }
-  return end_orphans(others, launcher_, options_.grace, signals_, progress_);
-}
-
-/// True when an attempt of an earlier softwall goes on, and is watched from now on like one of our own.
-bool Runner::adopt(const CampaignCase& one) {
-  const std::string& id = one.definition.id;
-  const RunFiles run = book_.files_of(one);
-  const auto record = read_run_record(run);
-  if (!record || record->case_id != id || store_.attempts(id) != record->attempt) return false;
-  if (launcher_.presence(run.directory, record->handle) == Presence::kGone) return false;
-  const LaunchRequest request{id, run.directory, record->attempt, one.ranks,
-                              book_.campaign().execution.walltime_seconds};
-  if (!launcher_.adopt(request, record->handle)) return false;
-  AttemptWatch& watch = working_[id];
-  watch.attempt = record->attempt;
-  watch.ranks = one.ranks;
-  watch.handle = record->handle;
-  watch.moved_at = monotonic_seconds();
-  progress_.event(one.definition.label +
-                  ": an earlier softwall started it and it goes on; waiting for its end");
-  return true;
-}
-
 void Runner::start_as_many_as_fit() {
+  if (!std::exchange(changed_, false)) return;
   for (const Action& action : plan(book_.campaign(), book_.observations(), free_cores())) start(action);
 }
 
 void Runner::start(const Action& action) {
   const CampaignCase& one = book_.find(action.case_id);
   const RunFiles run = book_.files_of(one);
+  Ladder ladder;
   try {
     prepare_run_directory(one.definition, run, action.initial_checkpoint);
-  } catch (const std::runtime_error& error) {
-    pause(one, error.what());
-    return;
+    ladder = book_.check(one);
+  } catch (const std::system_error& error) {
+    return pause(one, error.what());
+  } catch (const NotThisCase& error) {
+    return pause(one, error.what());
   }
-  launch(one, action, book_.check(one));
+  if (!ladder.unreadable.empty()) return pause(one, ladder.unreadable);
+  const bool lost = !ladder.newest && checkpoints_are_lost(run, action.case_id);
+  if (lost && !book_.may_start_over()) return pause(one, kNoCheckpointLeft);
+  launch(one, action, ladder);
 }
 
 /// Not again before a person has run the campaign again.
 void Runner::pause(const CampaignCase& one, const std::string& reason) {
+  changed_ = true;
   book_.pause(one, reason);
   progress_.event(one.definition.label + ": paused: " + reason, Progress::Kind::kBad);
   book_.look_at(one);
@@ -218,6 +185,7 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
 
 void Runner::record_end(const EndedAttempt& ended) {
   const CampaignCase& one = book_.find(ended.case_id);
+  changed_ = true;
   const AttemptWatch watch = working_.at(ended.case_id);
   working_.erase(ended.case_id);
   AttemptEnd end = describe_end(one, book_.files_of(one), watch.attempt, ended.exit_code);
@@ -265,30 +233,41 @@ void Runner::deliver_result(const CampaignCase& one) {
   } catch (const SqliteError&) {
     throw;  // the store itself is in trouble: not a matter of this case
   } catch (const std::runtime_error& error) {
+    if (repair_statistics(one, error.what())) return;
     without_result_[id] = std::string("finished, but without a result: ") + error.what();
     progress_.event(one.definition.label + ": " + without_result_[id], Progress::Kind::kBad);
   }
+}
+
+/// Statistics travel in the checkpoint: the solver writes the same file again when it goes on from the last
+/// one, which takes no step. Once in a run, because what fails twice is not a matter of the file.
+bool Runner::repair_statistics(const CampaignCase& one, const std::string& trouble) {
+  const std::string& id = one.definition.id;
+  const RunFiles run = book_.files_of(one);
+  const auto ladder = checkpoint_ladder(run);
+  if (ladder.empty() || !statistics_are_damaged(run, id)) return false;
+  if (!repaired_.insert(id).second) return false;
+  book_.mark_unfinished(one, ladder.front(), "its statistics are made again from its last checkpoint");
+  progress_.event(one.definition.label + ": " + trouble + "; made again from its last checkpoint",
+                  Progress::Kind::kBad);
+  changed_ = true;
+  return true;
 }
 
 void Runner::ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level) {
   launcher_.stop(book_.files_of(book_.find(case_id)).directory, watch.handle, level);
 }
 
-/// First request: checkpoint and end. Second: end within seconds. Third: end now.
+/// First request: checkpoint and end. Second: end within seconds. Third: end now. What does not obey is asked
+/// more firmly as time passes, also without a second request: a rank may hang.
 void Runner::pass_on_stop() {
   const int asked = std::min(signals_.stop_requests(), 3);
   const double now = monotonic_seconds();
-  if (asked > stop_passed_on_) {
-    progress_.event(describe_stop(asked, working_.size()));
-  } else if (now < stop_repeat_at_) {
-    return;
-  }
-  stop_passed_on_ = asked;
-  stop_repeat_at_ = now + kStopRepeatSeconds;
-  const StopLevel level = asked == 1   ? StopLevel::kCheckpoint
-                          : asked == 2 ? StopLevel::kTerminate
-                                       : StopLevel::kKill;
-  for (const auto& [id, watch] : working_) ask_to_end(id, watch, level);
+  if (!stop_) stop_.emplace(options_.grace, now);
+  if (asked > std::exchange(stop_passed_on_, asked)) progress_.event(describe_stop(asked, working_.size()));
+  const auto level = stop_->due(now, level_of_requests(asked));
+  if (!level) return;
+  for (const auto& [id, watch] : working_) ask_to_end(id, watch, *level);
 }
 
 void Runner::end_stalled() {
@@ -301,7 +280,7 @@ void Runner::end_stalled() {
       progress_.event(one.definition.label + ": no step for " + describe_duration(options_.stall_seconds) +
                           "; ending this attempt",
                       Progress::Kind::kBad);
-      watch.end.emplace(options_.grace, now);
+      watch.end.emplace(grace_of_a_stalled_one(options_), now);
     }
     if (!watch.end) continue;
     if (const auto level = watch.end->due(now)) ask_to_end(id, watch, *level);

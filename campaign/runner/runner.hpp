@@ -3,6 +3,8 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 
 #include "campaign/core/campaign.hpp"
@@ -22,6 +24,7 @@ struct RunnerOptions {
       1800.0;  ///< an attempt without a new step for this long is ended; much longer than a step
   StopGrace grace;
   std::chrono::milliseconds poll{200};
+  bool start_over = false;      ///< cases may start from the beginning although they had checkpoints
   double store_seconds = 10.0;  ///< how long a locked store is waited for once the user has asked to stop
 };
 
@@ -48,6 +51,7 @@ class Runner {
  private:
   bool take_stock();
   [[nodiscard]] bool end_what_is_not_adopted();
+  void record_what_is_new();
   [[nodiscard]] bool adopt(const CampaignCase& one);
   void start_as_many_as_fit();
   void start(const Action& action);
@@ -56,6 +60,7 @@ class Runner {
   void record_end(const EndedAttempt& ended);
   void record_state(const CampaignCase& one, const AttemptEnd& end);
   void deliver_result(const CampaignCase& one);
+  [[nodiscard]] bool repair_statistics(const CampaignCase& one, const std::string& trouble);
   void ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level);
   void pass_on_stop();
   void end_stalled();
@@ -77,7 +82,9 @@ class Runner {
   std::map<std::string, AttemptWatch> working_;        ///< by case id
   std::map<std::string, std::string> without_result_;  ///< finished, but its result could not be derived
   int stop_passed_on_ = 0;
-  double stop_repeat_at_ = 0.0;
+  std::optional<StopLadder> stop_;  ///< set when the user has asked to stop
+  std::set<std::string> repaired_;  ///< finished cases whose statistics are made again in this run
+  bool changed_ = true;             ///< something has happened since the plan was last made
   double told_at_ = 0.0;
   double locked_since_ = 0.0;     ///< monotonic seconds when another program's lock was first in the way
   double locked_seen_at_ = -1e9;  ///< and when it was last

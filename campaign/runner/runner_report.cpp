@@ -4,6 +4,16 @@
 
 namespace softwall::campaign {
 
+namespace {
+
+/// The case, or its precursor.
+bool needs_person(const CaseBook& book, const CampaignCase& one) {
+  if (!book.seen(one).needs_person.empty()) return true;
+  return !one.precursor_id.empty() && !book.seen(book.find(one.precursor_id)).needs_person.empty();
+}
+
+}  // namespace
+
 RunnerReport make_report(const CaseBook& book, const std::map<std::string, std::string>& without_result,
                          bool stopped) {
   RunnerReport report;
@@ -20,6 +30,8 @@ RunnerReport make_report(const CaseBook& book, const std::map<std::string, std::
       report.unfinished.push_back({label, book.paused().at(decision.case_id), one.directory});
     } else if (book.paused().contains(one.precursor_id)) {
       report.unfinished.push_back({label, "waits for its precursor, which is paused", one.directory});
+    } else if (decision.outlook == Outlook::kBlocked && needs_person(book, one)) {
+      report.unfinished.push_back({label, decision.reason, one.directory});
     } else if (book.given_up().contains(decision.case_id)) {
       report.failed.push_back({label, book.given_up().at(decision.case_id), one.directory});
     } else if (decision.outlook == Outlook::kBlocked) {

@@ -1,13 +1,19 @@
 #include "campaign/store/import_results.hpp"
 
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <chrono>
+#include <cstring>
 #include <stdexcept>
+#include <string_view>
 
 #include "analysis/derived.hpp"
 #include "campaign/observe/history.hpp"
 #include "campaign/observe/ladder.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
+#include "campaign/system/clock.hpp"
 #include "solver/run_directory/build_info.hpp"
 #include "solver/run_directory/statistics_file.hpp"
 
@@ -15,8 +21,7 @@ namespace softwall::campaign {
 namespace {
 
 void close_open_attempts(Store& store, const CampaignCase& one, const RunFiles& run) {
-  for (const OpenAttempt& open : store.open_attempts()) {
-    if (open.case_id != one.definition.id) continue;
+  for (const OpenAttempt& open : store.open_attempts(one.definition.id)) {
     store.end_attempt(open.case_id, open.attempt, describe_end(one, run, open.attempt, std::nullopt));
   }
 }
@@ -52,24 +57,29 @@ std::string why_stale(const Summary& summary) {
   return "computed by version " + summary.version + ", this is " + now;
 }
 
+/// A time to the second, whether written with fractions or without.
+std::string_view seconds_of(std::string_view time) {
+  return time.substr(0, std::strlen("2026-01-31T23:59:59"));
+}
+
 /// The same window, and recorded after the attempt ended: two attempts can end within a second, and a window
 /// whose last block has only grown keeps its ends. Deriving again is cheap and harmless. (UTC in the same
 /// form, so that the order of the texts is the order in time.)
 bool is_current(const ResultOrigin& origin, const analysis::DerivedQuantities& derived,
                 const Summary& summary) {
-  return origin.analysis_version == analysis::kAnalysisVersion && origin.recorded >= summary.ended &&
+  return origin.analysis_version == analysis::kAnalysisVersion &&
+         seconds_of(origin.recorded) >= seconds_of(summary.ended) &&
          origin.window_start == derived.window_start && origin.window_end == derived.window_end;
 }
 
 }  // namespace
 
-void import_history(Store& store, const CampaignCase& one, const RunFiles& run, const Launcher& launcher) {
+void import_history(Store& store, const CampaignCase& one, const RunFiles& run, const Observation& seen) {
   const std::string& id = one.definition.id;
   close_open_attempts(store, one, run);
   restore_history(store, one, run);
   restore_newest_attempt(store, one, run);
   store.record_checkpoints(id, checkpoint_records(run));
-  const Observation seen = observe(one, run, launcher);
   if (!seen.running) store.set_state(id, seen.state, seen.reason);
 }
 
@@ -89,17 +99,43 @@ bool import_result(Store& store, const CampaignCase& one, const RunFiles& run) {
   return true;
 }
 
+bool is_recorded(const ResultOrigin& origin, const RunFiles& run) {
+  if (origin.analysis_version != analysis::kAnalysisVersion) return false;
+  for (const auto& file : {run.statistics(), run.summary()}) {
+    // The time of change, which nobody can set, unlike that of modification.
+    struct stat status {};
+    if (stat(file.c_str(), &status) != 0) return false;
+    const auto since_epoch =
+        std::chrono::seconds(status.st_ctim.tv_sec) + std::chrono::nanoseconds(status.st_ctim.tv_nsec);
+    const std::chrono::system_clock::time_point changed(since_epoch);
+    if (utc_text(changed) >= origin.recorded) return false;
+  }
+  return true;
+}
+
+bool statistics_are_damaged(const RunFiles& run, const std::string& case_id) {
+  try {
+    const auto statistics = analysis::read_statistics(run.statistics());
+    return !statistics.case_id.empty() && statistics.case_id != case_id;
+  } catch (const std::runtime_error&) {
+    return true;
+  }
+}
+
 Observation with_history(Observation observation, const Store& store) {
   const auto known = store.find_case(observation.case_id);
-  if (!known) return observation;
-  observation.attempts = std::max(observation.attempts, known->attempts);
-  observation.attempts_without_progress = known->attempts_without_progress;
+  return known ? with_history(observation, *known) : observation;
+}
+
+Observation with_history(Observation observation, const CaseRecord& known) {
+  observation.attempts = std::max(observation.attempts, known.attempts);
+  observation.attempts_without_progress = known.attempts_without_progress;
   const bool unfinished =
       observation.state == CaseState::kNew || observation.state == CaseState::kInterrupted;
-  const bool store_knows_more = known->state == CaseState::kFailed || known->state == CaseState::kDiverged;
+  const bool store_knows_more = known.state == CaseState::kFailed || known.state == CaseState::kDiverged;
   if (unfinished && store_knows_more) {
-    observation.state = known->state;
-    observation.reason = known->state_reason;
+    observation.state = known.state;
+    observation.reason = known.state_reason;
   }
   return observation;
 }

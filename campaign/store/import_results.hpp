@@ -3,7 +3,6 @@
 #include <string>
 
 #include "campaign/core/campaign.hpp"
-#include "campaign/launch/launcher.hpp"
 #include "campaign/store/store.hpp"
 #include "solver/run_directory/run_files.hpp"
 
@@ -12,14 +11,23 @@ namespace softwall::campaign {
 
 /// What the store has not yet of the attempts and checkpoints in a run directory that nobody works in: the
 /// ends of attempts whose runner died, and, in a store made anew, the newest attempt itself.
+/// `seen`: what its files say, and whether anybody works on it.
 void import_history(Store& store, const CampaignCase& campaign_case, const RunFiles& run,
-                    const Launcher& launcher);
+                    const Observation& seen);
 
 /// The result of a finished case, unless the store has it already from this version of the analysis and from
 /// this run. True when it was derived now. Throws std::runtime_error when the statistics cannot be used.
 bool import_result(Store& store, const CampaignCase& campaign_case, const RunFiles& run);
 
+/// True where nothing can have changed since the result was recorded, so that import_result() need not read
+/// the statistics. Asks the file system alone.
+[[nodiscard]] bool is_recorded(const ResultOrigin& origin, const RunFiles& run);
+
+/// Whether statistics.h5 of a case cannot be used: missing, damaged, or of another case.
+[[nodiscard]] bool statistics_are_damaged(const RunFiles& run, const std::string& case_id);
+
 /// An observation completed by what only the store knows: failures and ends without a summary.
+[[nodiscard]] Observation with_history(Observation observation, const CaseRecord& known);
 [[nodiscard]] Observation with_history(Observation observation, const Store& store);
 
 }  // namespace softwall::campaign

@@ -186,8 +186,9 @@ std::optional<double> Statement::optional_real(int column) const {
   return real(column);
 }
 
-Transaction::Transaction(Connection& connection) : connection_(connection) {
-  connection_.execute("BEGIN IMMEDIATE");
+Transaction::Transaction(Connection& connection)
+    : connection_(connection), open_(sqlite3_get_autocommit(connection.handle()) != 0) {
+  if (open_) connection_.execute("BEGIN IMMEDIATE");
 }
 
 Transaction::~Transaction() {
@@ -199,6 +200,7 @@ Transaction::~Transaction() {
 }
 
 void Transaction::commit() {
+  if (!open_) return;
   connection_.execute("COMMIT");
   open_ = false;
 }

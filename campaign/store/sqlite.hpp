@@ -129,7 +129,9 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, Finalize> handle_;
 };
 
-/// BEGIN IMMEDIATE: takes the write lock at once. Rolled back by the destructor unless committed.
+/// BEGIN IMMEDIATE: takes the write lock at once. Rolled back by the destructor unless committed. Inside
+/// another one it is a part of that one, which alone decides: many small writes become durable together, at
+/// the cost of one.
 class Transaction {
  public:
   explicit Transaction(Connection& connection);
@@ -140,7 +142,7 @@ class Transaction {
 
  private:
   Connection& connection_;
-  bool open_ = true;
+  bool open_;  ///< false: a part of another one, or committed
 };
 
 template <class... Values>

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "analysis/derived.hpp"
@@ -27,7 +28,11 @@ struct CaseRecord {
   bool is_precursor = false;
   CaseState state = CaseState::kNew;
   std::string state_reason;
-  std::string stale_reason;  ///< empty: not stale
+  double reached_time = 0.0;      ///< furthest time of an attempt that finished [h/U_b]
+  std::int64_t reached_step = 0;  ///< and its step
+  double seconds_per_step = 0.0;  ///< wall clock of the newest attempt; 0: not known
+  std::string state_since;        ///< ISO 8601 UTC
+  std::string stale_reason;       ///< empty: not stale
   int attempts = 0;
   int attempts_without_progress = 0;  ///< see Store::attempts_without_progress
 };
@@ -42,7 +47,7 @@ struct OpenAttempt {
 struct ResultOrigin {
   int analysis_version = 0;
   double window_start = 0.0, window_end = 0.0;  ///< [h/U_b]
-  std::string recorded;                         ///< ISO 8601 UTC
+  std::string recorded;                         ///< ISO 8601 UTC, with microseconds
 };
 
 class Store {
@@ -81,16 +86,21 @@ class Store {
                      const std::string& git_revision);
 
   [[nodiscard]] std::optional<CaseRecord> find_case(const std::string& case_id) const;
+  /// All cases, by id.
+  [[nodiscard]] std::unordered_map<std::string, CaseRecord> all_cases() const;
   [[nodiscard]] int attempts(const std::string& case_id) const;
   /// Failed attempts since the case last got further than ever before (or was forgiven). Attempts that were
   /// interrupted on request, never started, or lost with their manager do not count: not the case's fault.
   [[nodiscard]] int attempts_without_progress(const std::string& case_id) const;
   [[nodiscard]] std::vector<OpenAttempt> open_attempts() const;
+  [[nodiscard]] std::vector<OpenAttempt> open_attempts(const std::string& case_id) const;
   /// Attempts that have ended, in order.
   [[nodiscard]] std::vector<PastAttempt> past_attempts(const std::string& case_id) const;
   /// Wall-clock time times ranks of all attempts [h], by case id.
   [[nodiscard]] std::map<std::string, double> core_hours() const;
   [[nodiscard]] std::optional<ResultOrigin> result_origin(const std::string& case_id) const;
+  /// Of all cases that have a result, by id.
+  [[nodiscard]] std::unordered_map<std::string, ResultOrigin> result_origins() const;
 
   [[nodiscard]] Connection& connection() { return connection_; }
 

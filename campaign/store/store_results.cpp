@@ -1,4 +1,5 @@
 #include "campaign/store/store.hpp"
+#include "campaign/system/clock.hpp"
 #include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
@@ -25,7 +26,7 @@ constexpr std::array<Detail, 6> kDetails = {{
 
 void Store::record_result(const std::string& case_id, const DerivedQuantities& derived,
                           const std::string& git_revision) {
-  const std::string now = utc_now();
+  const std::string now = utc_text(std::chrono::system_clock::now());
   const auto write = [&](std::string_view quantity, double value, std::optional<double> ci95) {
     connection_.run(
         "INSERT INTO quantities (case_id, quantity, value, ci95, window_start, window_end, blocks, note,"
@@ -49,6 +50,18 @@ std::optional<ResultOrigin> Store::result_origin(const std::string& case_id) con
       case_id);
   if (!found.step()) return std::nullopt;
   return ResultOrigin{static_cast<int>(found.integer(0)), found.real(1), found.real(2), found.text(3)};
+}
+
+std::unordered_map<std::string, ResultOrigin> Store::result_origins() const {
+  // Every result has this quantity; those of one result have the same origin.
+  Statement rows = connection_.prepare(
+      "SELECT case_id, analysis_version, window_start, window_end, recorded FROM quantities"
+      " WHERE quantity = 'batches'");
+  std::unordered_map<std::string, ResultOrigin> all;
+  while (rows.step()) {
+    all[rows.text(0)] = {static_cast<int>(rows.integer(1)), rows.real(2), rows.real(3), rows.text(4)};
+  }
+  return all;
 }
 
 }  // namespace softwall::campaign

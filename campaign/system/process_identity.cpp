@@ -2,8 +2,7 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <charconv>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -50,12 +49,6 @@ std::string boot_id() {
   return id;
 }
 
-bool has_entry(const std::string& environment, const std::string& entry) {
-  // The block is a sequence of NAME=value, each ended by a zero byte.
-  const std::string needle = entry + '\0';
-  return environment.starts_with(needle) || environment.find('\0' + needle) != std::string::npos;
-}
-
 }  // namespace
 
 ProcessIdentity identify(pid_t pid) {
@@ -89,22 +82,6 @@ void from_json(const nlohmann::json& json, ProcessIdentity& process) {
   json.at("boot_id").get_to(process.boot_id);
   json.at("pid").get_to(process.pid);
   json.at("start_ticks").get_to(process.start_ticks);
-}
-
-std::vector<pid_t> processes_of(const std::filesystem::path& run_directory) {
-  const std::string entry =
-      std::string(kRunDirectoryVariable) + "=" + std::filesystem::weakly_canonical(run_directory).string();
-  std::vector<pid_t> found;
-  std::error_code ignored;  // processes end while we look; what cannot be read is not ours
-  for (std::filesystem::directory_iterator item("/proc", ignored), end; item != end;
-       item.increment(ignored)) {
-    const std::string name = item->path().filename();
-    pid_t pid = 0;
-    const auto [rest, error] = std::from_chars(name.data(), name.data() + name.size(), pid);
-    if (error != std::errc{} || rest != name.data() + name.size() || pid == getpid()) continue;
-    if (has_entry(read_whole(item->path() / "environ"), entry)) found.push_back(pid);
-  }
-  return found;
 }
 
 }  // namespace softwall::campaign

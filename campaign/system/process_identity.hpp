@@ -3,9 +3,7 @@
 #include <sys/types.h>
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
-#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -34,13 +32,5 @@ struct ProcessIdentity {
 
 void to_json(nlohmann::json& json, const ProcessIdentity& process);
 void from_json(const nlohmann::json& json, ProcessIdentity& process);
-
-/// Environment variable that mpirun and every rank of an attempt inherit: the absolute path of the run
-/// directory.
-inline constexpr const char* kRunDirectoryVariable = "SOFTWALL_RUN_DIRECTORY";
-
-/// Every live process of this user that works for an attempt in run_directory (mpirun and all ranks), whoever
-/// started it and whether or not its parents still live.
-[[nodiscard]] std::vector<pid_t> processes_of(const std::filesystem::path& run_directory);
 
 }  // namespace softwall::campaign

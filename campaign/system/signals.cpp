@@ -4,9 +4,23 @@
 
 namespace softwall::campaign {
 
+namespace {
+
+bool is_ignored(int signal) {
+  struct sigaction now {};
+  return sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
+}  // namespace
+
 Signals::Signals() {
   sigemptyset(&taken_);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&taken_, signal);
+  sigaddset(&taken_, SIGCHLD);
+  // Whoever starts us with a signal ignored (nohup, a shell's background jobs) means it. A blocked signal
+  // would be taken by sigtimedwait() although it is ignored.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (!is_ignored(signal)) sigaddset(&taken_, signal);
+  }
   sigprocmask(SIG_BLOCK, &taken_, &mask_before_);
   struct sigaction ignore {};
   ignore.sa_handler = SIG_IGN;
@@ -31,6 +45,12 @@ void Signals::wait(std::chrono::milliseconds limit) {
     if (signal != SIGCHLD) ++stop_requests_;
     time = timespec{};
   }
+}
+
+void expect_children() {
+  struct sigaction usual {};
+  usual.sa_handler = SIG_DFL;
+  sigaction(SIGCHLD, &usual, nullptr);
 }
 
 void restore_default_signals() {

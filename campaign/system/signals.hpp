@@ -7,8 +7,9 @@
 namespace softwall::campaign {
 
 /// While it lives, SIGINT, SIGTERM, SIGHUP and SIGCHLD do not interrupt the program but wait to be taken
-/// here, so that no signal arrives in the middle of a step of the runner. SIGPIPE is ignored: a closed
-/// terminal or pipe must not end a campaign.
+/// here, so that no signal arrives in the middle of a step of the runner. One of the first three that was
+/// ignored before stays ignored (nohup). SIGPIPE is ignored: a closed terminal or pipe must not end a
+/// campaign.
 class Signals {
  public:
   Signals();
@@ -28,6 +29,10 @@ class Signals {
   struct sigaction pipe_before_ {};
   int stop_requests_ = 0;
 };
+
+/// At the start of a program that has children: where SIGCHLD is ignored, as one may inherit it, the kernel
+/// forgets a child as soon as it ends, and nobody can be told how it ended.
+void expect_children();
 
 /// In a child between fork and exec: give it the signal handling of a fresh process.
 void restore_default_signals();

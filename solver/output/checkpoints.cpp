@@ -36,15 +36,14 @@ std::optional<FoundCheckpoint> Checkpoints::newest_valid(const parallel::Communi
   agree_on_root(all, ExitCode::kCheckpointRefused, [&] {
     for (const auto& file : checkpoint_ladder(run_)) {
       const CheckpointVerdict verdict = verify_checkpoint(file, case_id_);
-      const bool named_right = !verdict.valid || file == run_.checkpoint(verdict.header.step);
-      if (verdict.valid && named_right) {
+      if (verdict.valid) {
         found = file;
         return;
       }
+      // Going on from an older one would throw away what the newest may well hold.
+      if (verdict.unreadable) throw AgreedError(ExitCode::kIoFailure, verdict.reason);
       refused_.insert(file);
-      reasons_.push_back(verdict.valid ? file.filename().string() + ": its header says step " +
-                                             std::to_string(verdict.header.step)
-                                       : verdict.reason);
+      reasons_.push_back(verdict.reason);
     }
     if (reasons_.empty()) return;
     std::string message = "no checkpoint in " + run_.checkpoints().string() + " can be used:";

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <chrono>
@@ -21,7 +22,9 @@ using namespace std::chrono_literals;
 }
 
 FileDescriptor lock(const std::filesystem::path& file) {
-  FileDescriptor descriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  // Whoever can open it can lock it: for this user only, and never what a link of that name leads to.
+  FileDescriptor descriptor(
+      ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, S_IRUSR | S_IWUSR));
   if (!descriptor) fail("cannot open " + file.string());
   const auto deadline = std::chrono::steady_clock::now() + 5s;
   while (::flock(descriptor.get(), LOCK_EX | LOCK_NB) != 0) {

@@ -10,8 +10,10 @@
 #include <cinttypes>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <stdexcept>
+#include <system_error>
 
 #include "solver/case/bad_input.hpp"
 #include "solver/case/case_id.hpp"
@@ -64,16 +66,34 @@ CheckpointHeader header_from(json object) {
   return header;
 }
 
+/// The system's refusal, which says nothing about what is in the file.
+std::system_error unreadable() { return {errno, std::generic_category(), "it cannot be read"}; }
+
 std::string header_text(const std::filesystem::path& file) {
   const FileDescriptor descriptor(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  if (!descriptor) throw std::runtime_error("it cannot be opened: " + std::generic_category().message(errno));
+  if (!descriptor) throw unreadable();
   struct stat status {};
   if (::fstat(descriptor.get(), &status) != 0 || !S_ISREG(status.st_mode))
     throw std::runtime_error("it is not a regular file");
   std::string text(kCheckpointHeaderBytes, '\0');
-  if (::pread(descriptor.get(), text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
-    throw std::runtime_error("it is shorter than its header");
+  const ssize_t length = ::pread(descriptor.get(), text.data(), text.size(), 0);
+  if (length < 0) throw unreadable();
+  if (length != static_cast<ssize_t>(text.size())) throw std::runtime_error("it is shorter than its header");
   return text;
+}
+
+/// Of a name as RunFiles::checkpoint() gives it.
+std::optional<std::int64_t> step_in_name(const std::filesystem::path& file) {
+  constexpr std::string_view kBegin = "checkpoint-", kEnd = ".h5";
+  constexpr std::size_t kFewestDigits = 9;
+  const std::string name = file.filename();
+  if (name.size() < kBegin.size() + kFewestDigits + kEnd.size()) return std::nullopt;
+  if (!name.starts_with(kBegin) || !name.ends_with(kEnd)) return std::nullopt;
+  const char* const first = name.data() + kBegin.size();
+  const char* const last = name.data() + name.size() - kEnd.size();
+  std::int64_t step = 0;
+  const auto [end, error] = std::from_chars(first, last, step);
+  return error == std::errc() && end == last && step >= 0 ? std::optional(step) : std::nullopt;
 }
 
 /// Throws std::runtime_error with what is wrong; the header is set as far as it was read.
@@ -81,6 +101,9 @@ void verify(const std::filesystem::path& file, const std::string& case_id, Check
   header = read_checkpoint_header(file);
   if (header.case_id != case_id)
     throw std::runtime_error("it belongs to case " + printable(header.case_id) + ", not to " + case_id);
+  if (const auto named = step_in_name(file); named && *named != header.step)
+    throw std::runtime_error("its name says step " + std::to_string(*named) + ", its header " +
+                             std::to_string(header.step));
   const auto size = static_cast<std::int64_t>(std::filesystem::file_size(file));
   if (size != header.bytes)
     throw std::runtime_error("it has " + std::to_string(size) + " bytes, its header says " +
@@ -89,19 +112,13 @@ void verify(const std::filesystem::path& file, const std::string& case_id, Check
     throw std::runtime_error("its contents do not match the digest in its header");
 }
 
-bool is_checkpoint_name(const std::string& name) {
-  constexpr std::string_view kBegin = "checkpoint-", kEnd = ".h5";
-  constexpr std::size_t kDigits = 9;
-  if (name.size() != kBegin.size() + kDigits + kEnd.size()) return false;
-  const auto digits = std::string_view(name).substr(kBegin.size(), kDigits);
-  return name.starts_with(kBegin) && name.ends_with(kEnd) &&
-         std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-/// Step in the header; -1 for an unreadable one, which thereby comes last.
+/// Step in the header; -1 for a damaged one, which thereby comes last. Of a file that cannot be read just now
+/// its name has to do.
 std::int64_t step_or_minus_one(const std::filesystem::path& file) {
   try {
     return read_checkpoint_header(file).step;
+  } catch (const std::system_error&) {
+    return step_in_name(file).value_or(-1);
   } catch (const std::runtime_error&) {
     return -1;
   }
@@ -139,7 +156,11 @@ CheckpointVerdict verify_checkpoint(const std::filesystem::path& file, const std
   try {
     verify(file, case_id, verdict.header);
     verdict.valid = true;
-  } catch (const std::exception& error) {  // out of memory or an I/O error: the file cannot be used either
+  } catch (const std::runtime_error& error) {
+    verdict.unreadable = dynamic_cast<const std::system_error*>(&error) != nullptr;
+    verdict.reason = file.filename().string() + ": " + error.what();
+  } catch (const std::exception& error) {  // out of memory
+    verdict.unreadable = true;
     verdict.reason = file.filename().string() + ": " + error.what();
   }
   return verdict;
@@ -147,10 +168,12 @@ CheckpointVerdict verify_checkpoint(const std::filesystem::path& file, const std
 
 std::vector<std::filesystem::path> checkpoint_ladder(const RunFiles& run) {
   std::vector<std::pair<std::int64_t, std::filesystem::path>> found;
-  std::error_code no_folder;
-  for (const auto& entry : std::filesystem::directory_iterator(run.checkpoints(), no_folder))
-    if (is_checkpoint_name(entry.path().filename().string()))
-      found.emplace_back(step_or_minus_one(entry.path()), entry.path());
+  std::error_code error;
+  std::filesystem::directory_iterator folder(run.checkpoints(), error);
+  if (error && error != std::errc::no_such_file_or_directory)
+    throw std::system_error(error, run.checkpoints().string() + " cannot be read");
+  for (const auto& entry : folder)
+    if (step_in_name(entry.path())) found.emplace_back(step_or_minus_one(entry.path()), entry.path());
   std::sort(found.rbegin(), found.rend());
   std::vector<std::filesystem::path> files;
   for (auto& [step, file] : found) files.push_back(std::move(file));

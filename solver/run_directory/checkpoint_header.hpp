@@ -32,22 +32,27 @@ struct CheckpointHeader {
 
 struct CheckpointVerdict {
   bool valid = false;
-  std::string reason;  ///< why not; empty when valid
+  bool unreadable = false;  ///< not valid only because the system did not let us read it (permissions, I/O
+                            ///< error): nothing is known about what it holds
+  std::string reason;       ///< why not valid; empty when valid
   CheckpointHeader header;
 };
 
 /// Exactly kCheckpointHeaderBytes. Throws std::length_error if the text would not fit.
 [[nodiscard]] std::string format_header(const CheckpointHeader& header);
 
-/// Only the header; says nothing about the data behind it. Throws std::runtime_error with the reason.
+/// Only the header; says nothing about the data behind it. Throws std::runtime_error with the reason;
+/// std::system_error where the system did not let us read it.
 [[nodiscard]] CheckpointHeader read_checkpoint_header(const std::filesystem::path& file);
 
-/// Reads the whole file: header, size, digest, and whether it is of this case. Never throws for a bad file.
+/// Reads the whole file: header, size, digest, whether it is of this case and of the step that its name says.
+/// Never throws for a bad file.
 [[nodiscard]] CheckpointVerdict verify_checkpoint(const std::filesystem::path& file,
                                                   const std::string& case_id);
 
 /// The checkpoints of a run directory, newest first by the step in their headers (file times prove nothing);
-/// those without a readable header last. Other files are ignored; no folder means no checkpoints.
+/// those with a damaged header last. Other files are ignored; no folder means no checkpoints. Throws
+/// std::system_error when the folder cannot be read.
 [[nodiscard]] std::vector<std::filesystem::path> checkpoint_ladder(const RunFiles& run);
 
 /// Writes the header over the first 4096 bytes of an existing file (a temporary, not yet published one).

@@ -164,15 +164,19 @@ class DamagedCheckpoint(EndToEndTest):
         (record,) = campaign.query("SELECT path, reason FROM checkpoints WHERE NOT valid")
         self.assertIn(newest.name, record["path"])
 
-    def test_all_kinds_of_damage_at_once_mean_a_start_from_the_precursor(self):
+    def test_all_kinds_of_damage_at_once_mean_a_start_from_the_precursor_when_a_person_says_so(self):
         campaign = self.interrupted()
         ladder = campaign.checkpoints("G=1")
         os.truncate(ladder[0], 0)
         os.truncate(ladder[1], ladder[1].stat().st_size - 1)
         for damaged in ladder[2:]:
             damaged.write_bytes(b"{}" + damaged.read_bytes()[2:])
-        said = self.finish_and_compare(campaign)
-        self.assertEqual(said.count("set aside"), len(ladder))
+        answer = campaign.call("resume")
+        self.assertEqual(answer.returncode, 4, answer.stderr)
+        self.assertIn("--start-over", answer.stderr)
+        self.assertEqual(answer.stderr.count("set aside"), len(ladder))
+        self.assertEqual(campaign.call("resume", "--start-over").returncode, 0)
+        self.finish_and_compare(campaign)
 
     def test_a_checkpoint_of_another_case_or_grid_is_refused(self):
         campaign = self.interrupted()

@@ -1,11 +1,13 @@
 """What a person does with a campaign over its life: changes its file, asks for tables, names things oddly."""
 
+import contextlib
 import json
 import shutil
+import sqlite3
 import subprocess
 import unittest
 
-from harness import SOFTWALL, EndToEndTest, changed
+from harness import SOFTWALL, EndToEndTest, changed, seeded
 
 RIGID = {
     "format": 1,
@@ -101,6 +103,42 @@ class RealUse(EndToEndTest):
                 answer = subprocess.run(campaign.command(words[0], *words[1:]), stdout=full, stderr=subprocess.PIPE)
                 self.assertEqual(answer.returncode, 1, answer.stderr)
                 self.assertIn(b"standard output", answer.stderr)
+
+    def test_verify_finds_what_was_changed(self):
+        campaign = self.campaign(changed(RIGID, run={"end_time": 1, "checkpoint_steps": 4}))
+        self.run_to_end(campaign)
+        self.assert_sound(campaign)
+        (folder,) = campaign.folder.glob("cases/*")
+        newest, older = campaign.checkpoints("rigid_channel")[:2]
+        sound = {file: file.read_bytes() for file in (newest, older, folder / "summary.json", folder / "case.json",
+                                                      folder / "run.json", campaign.folder / "results.db")}
+
+        def flip(file, at, bit):
+            contents = bytearray(sound[file])
+            contents[at] ^= 1 << bit
+            file.write_bytes(contents)
+
+        def change_a_result():
+            with contextlib.closing(sqlite3.connect(campaign.folder / "results.db")) as store:
+                store.execute("UPDATE quantities SET value = value * 1.0000001 WHERE quantity = 're_tau'")
+                store.commit()
+
+        chance = seeded()
+        summary = folder / "summary.json"
+        damages = [newest.unlink, lambda: newest.write_bytes(sound[older]), (folder / "run.json").unlink,
+                   lambda: (folder / "case.json").write_bytes(sound[folder / "case.json"].replace(b"100", b"101")),
+                   change_a_result]
+        for _ in range(10):
+            at, bit = chance.randrange(len(sound[summary])), chance.randrange(8)
+            damages.append(lambda at=at, bit=bit: flip(summary, at, bit))
+        for number, damage in enumerate(damages):
+            with self.subTest(number):
+                damage()
+                verdict = campaign.call("verify")
+                self.assertEqual(verdict.returncode, 3, verdict.stdout)
+                for file, contents in sound.items():
+                    file.write_bytes(contents)
+        self.assert_sound(campaign)
 
     def test_an_export_goes_to_what_is_named(self):
         campaign = self.campaign(RIGID)

@@ -163,6 +163,15 @@ TEST(Plan, WhatCannotSucceedIsNotTried) {
             std::string::npos);
 }
 
+TEST(Plan, WhatAPersonMustSeeToIsLeftAlone) {
+  Observation unreadable = seen("A", CaseState::kInterrupted);
+  unreadable.needs_person = "cannot be read";
+  const Campaign c = campaign();
+  const Decision made = decision(c, {finished("P"), unreadable}, "A");
+  EXPECT_EQ(made.outlook, Outlook::kBlocked);
+  EXPECT_EQ(made.reason, "cannot be read");
+}
+
 TEST(Plan, ObservationsOfOthersAreIgnored) {
   EXPECT_EQ(planned(campaign(), {finished("P"), seen("Z", CaseState::kInterrupted)}, 1), "start A");
 }

@@ -11,7 +11,8 @@
 
 #include "campaign/launch/scratch.hpp"
 #include "campaign/system/clock.hpp"
-#include "campaign/system/process_identity.hpp"
+#include "campaign/system/work_marks.hpp"
+#include "solver/case/bad_input.hpp"
 #include "solver/run_directory/exit_codes.hpp"
 #include "solver/run_directory/run_files.hpp"
 #include "tests/support/child_process.hpp"
@@ -91,6 +92,17 @@ TEST_F(ProcessLauncherTest, ALogIsAppendedTo) {
   EXPECT_EQ(log(), "one attempt\none attempt\n");
 }
 
+TEST_F(ProcessLauncherTest, ALogDoesNotGrowWithoutBound) {
+  const auto file = RunFiles{request().run_directory}.log();
+  std::ofstream(file) << "old";
+  std::filesystem::resize_file(file, (16U << 20U) + 1U);
+  auto launcher = launcher_with("echo new");
+  (void)launcher.start(request());
+  ASSERT_TRUE(wait_for_end(launcher));
+  EXPECT_EQ(log(), "new\n");
+  EXPECT_EQ(read_text(file.string() + ".old").substr(0, 3), "old");
+}
+
 TEST_F(ProcessLauncherTest, TemporaryFilesAreGoneAfterwards) {
   auto launcher =
       launcher_with("touch $TMPDIR/a $OMPI_MCA_btl_vader_backing_directory/b; echo $TMPDIR; kill -9 $$");
@@ -141,20 +153,20 @@ TEST_F(ProcessLauncherTest, AnotherLauncherSeesAndStopsTheAttemptToo) {
 }
 
 TEST_F(ProcessLauncherTest, NothingResistsBeingKilled) {
-  auto launcher =
-      launcher_with("trap '' USR1 TERM; (setsid sleep 60 &); echo ready; while :; do sleep 0.05; done");
+  auto launcher = launcher_with(
+      "trap '' USR1 TERM; set -m 2>/dev/null; sleep 60 & echo ready; while :; do sleep 0.05; done");
   const auto what = request();
   (void)launcher.start(what);
   ASSERT_TRUE(wait_until([&] { return log().find("ready") != std::string::npos; }));
   launcher.stop(what.run_directory, "", StopLevel::kTerminate);
   launcher.stop(what.run_directory, "", StopLevel::kKill);
   ASSERT_TRUE(wait_for_end(launcher));
-  EXPECT_TRUE(processes_of(what.run_directory).empty());
+  EXPECT_TRUE(ProcessesAtWork::look().in(what.run_directory).empty());
 }
 
 TEST_F(ProcessLauncherTest, AnAttemptLastsUntilItsLastRankIsGone) {
   // mpirun is gone at once; a "rank" in a process group of its own still writes for a while
-  auto launcher = launcher_with("setsid sh -c 'sleep 1; echo last words' & exit 1");
+  auto launcher = launcher_with("set -m 2>/dev/null; sh -c 'sleep 1; echo last words' & exit 1");
   const double start = monotonic_seconds();
   (void)launcher.start(request());
   ASSERT_TRUE(wait_for_end(launcher));
@@ -163,11 +175,48 @@ TEST_F(ProcessLauncherTest, AnAttemptLastsUntilItsLastRankIsGone) {
 }
 
 TEST_F(ProcessLauncherTest, RanksThatStayBehindAreKilled) {
-  auto launcher = launcher_with("setsid sleep 60 & exit 1");
+  auto launcher = launcher_with("set -m 2>/dev/null; sleep 60 & exit 1");
   const auto what = request();
   (void)launcher.start(what);
   ASSERT_TRUE(wait_for_end(launcher));
-  EXPECT_TRUE(processes_of(what.run_directory).empty());
+  EXPECT_TRUE(ProcessesAtWork::look().in(what.run_directory).empty());
+}
+
+TEST_F(ProcessLauncherTest, AnAttemptBehindALinkIsFoundAndHeardOf) {
+  auto launcher = launcher_with("trap 'exit 85' USR1; echo ready; while :; do sleep 0.05; done");
+  auto what = request("real");
+  std::filesystem::create_symlink(what.run_directory, folder_.path() / "link");
+  what.run_directory = folder_.path() / "link";
+  (void)launcher.start(what);
+  ASSERT_TRUE(wait_until([&] { return log("real").find("ready") != std::string::npos; }));
+  EXPECT_EQ(launcher.presence(folder_.path() / "real", ""), Presence::kRunning);
+  launcher.stop(what.run_directory, "", StopLevel::kCheckpoint);
+  const auto ended = wait_for_end(launcher);
+  ASSERT_TRUE(ended);
+  EXPECT_EQ(ended->exit_code, 85);
+}
+
+TEST_F(ProcessLauncherTest, AnAttemptWorksInItsRunDirectory) {
+  auto launcher = launcher_with("pwd");
+  (void)launcher.start(request());
+  ASSERT_TRUE(wait_for_end(launcher));
+  EXPECT_EQ(log(), std::filesystem::canonical(request().run_directory).string() + "\n");
+}
+
+TEST_F(ProcessLauncherTest, ALauncherThatCannotStartRanksIsRefusedInItsOwnWords) {
+  folder_.write_script("mpirun", "echo -----; echo; echo 'There are not enough slots' >&2; exit 9");
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (folder_.path().string() + ":" + path).c_str(), 1);
+  ProcessLauncher launcher;
+  try {
+    launcher.prepare("/bin/true", 2);
+    ADD_FAILURE() << "accepted";
+  } catch (const BadInput& error) {
+    EXPECT_NE(std::string(error.what()).find("exit status 9: There are not enough slots"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_NO_THROW(launcher.prepare("/bin/true", 0)) << "nothing is to be started";
+  setenv("PATH", path.c_str(), 1);
 }
 
 TEST_F(ProcessLauncherTest, TheSolverIsToldWhenTheRunnerIsKilled) {
@@ -183,7 +232,7 @@ TEST_F(ProcessLauncherTest, TheSolverIsToldWhenTheRunnerIsKilled) {
   ASSERT_TRUE(wait_until([&] { return log().find("ready") != std::string::npos; }));
   runner.send(SIGKILL);
   EXPECT_TRUE(wait_until([&] { return log().find("told") != std::string::npos; }));
-  EXPECT_TRUE(wait_until([&] { return processes_of(what.run_directory).empty(); }));
+  EXPECT_TRUE(wait_until([&] { return ProcessesAtWork::look().in(what.run_directory).empty(); }));
 }
 
 }  // namespace

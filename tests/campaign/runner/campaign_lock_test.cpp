@@ -1,12 +1,15 @@
 #include "campaign/runner/campaign_lock.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 
 #include <fstream>
 
 #include <nlohmann/json.hpp>
 
 #include "campaign/system/process_identity.hpp"
+#include "solver/case/bad_input.hpp"
 #include "solver/run_directory/build_info.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -54,6 +57,45 @@ TEST(CampaignLock, ASecondRunnerIsToldWhoHoldsIt) {
     EXPECT_NE(message.find(host_name()), std::string::npos) << message;
   }
   EXPECT_TRUE(living_owner(folder.path()).has_value());
+}
+
+TEST(CampaignLock, AHolderThatNoListOfProcessesShowsIsSeenByItsLock) {
+  const test::TemporaryFolder folder;
+  Holder holder(folder.path());
+  ProcessIdentity elsewhere = this_process();
+  elsewhere.host = "another-host";
+  elsewhere.pid = 4000000;
+  std::ofstream(folder.path() / "campaign.lock")
+      << nlohmann::json{{"process", elsewhere}, {"since", "today"}}.dump();
+  EXPECT_EQ(living_owner(folder.path()), "softwall on another-host, process 4000000, started today");
+}
+
+TEST(CampaignLock, WhoeverOnlyAsksDoesNotKeepARunnerOut) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("campaign.lock", "");
+  test::ChildProcess asking([&] {
+    const int lock = open(file.c_str(), O_RDONLY);
+    flock(lock, LOCK_SH);
+    usleep(100'000);
+    return 0;
+  });
+  usleep(30'000);
+  EXPECT_NO_THROW(CampaignLock{folder.path()});
+}
+
+TEST(CampaignLock, IsForThisUserOnlyAndNoLink) {
+  const test::TemporaryFolder folder;
+  folder.write("campaign.lock", "");
+  std::filesystem::permissions(folder.path() / "campaign.lock", std::filesystem::perms(0644));
+  { const CampaignLock lock(folder.path()); }
+  EXPECT_EQ(std::filesystem::status(folder.path() / "campaign.lock").permissions(),
+            std::filesystem::perms(0600));
+
+  const auto target = folder.write("precious", "text");
+  std::filesystem::remove(folder.path() / "campaign.lock");
+  std::filesystem::create_symlink(target, folder.path() / "campaign.lock");
+  EXPECT_THROW(CampaignLock{folder.path()}, BadInput);
+  EXPECT_EQ(std::filesystem::file_size(target), 4U);
 }
 
 TEST(CampaignLock, DiesWithItsHolder) {

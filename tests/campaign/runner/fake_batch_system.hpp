@@ -44,7 +44,7 @@ class BatchLauncher final : public campaign::Launcher {
  public:
   explicit BatchLauncher(BatchSystem& system) : system_(system) {}
 
-  void prepare(const std::filesystem::path&) override {}
+  void prepare(const std::filesystem::path&, int) override {}
   campaign::Handle start(const campaign::LaunchRequest& request) override {
     const campaign::Handle number = system_.submit(request);
     started.push_back(request.case_id);
@@ -68,11 +68,11 @@ class BatchLauncher final : public campaign::Launcher {
     return ended;
   }
   [[nodiscard]] bool idle() const override { return watched_.empty(); }
-  [[nodiscard]] campaign::Presence presence(const std::filesystem::path&,
-                                            const campaign::Handle& handle) const override {
-    if (!system_.answers) return campaign::Presence::kUnknown;
-    const auto job = system_.jobs.find(handle);
-    return job == system_.jobs.end() ? campaign::Presence::kGone : job->second.state;
+  [[nodiscard]] std::vector<campaign::Presence> presences(
+      const std::vector<campaign::AttemptPlace>& places) const override {
+    std::vector<campaign::Presence> found;
+    for (const campaign::AttemptPlace& place : places) found.push_back(presence_of(place.handle));
+    return found;
   }
   void stop(const std::filesystem::path&, const campaign::Handle& handle,
             campaign::StopLevel level) override {
@@ -85,6 +85,12 @@ class BatchLauncher final : public campaign::Launcher {
   std::vector<std::pair<campaign::Handle, campaign::StopLevel>> stops;
 
  private:
+  [[nodiscard]] campaign::Presence presence_of(const campaign::Handle& handle) const {
+    if (!system_.answers) return campaign::Presence::kUnknown;
+    const auto job = system_.jobs.find(handle);
+    return job == system_.jobs.end() ? campaign::Presence::kGone : job->second.state;
+  }
+
   BatchSystem& system_;
   std::set<campaign::Handle> watched_;
 };

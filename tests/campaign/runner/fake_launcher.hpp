@@ -12,11 +12,11 @@ namespace softwall::test {
 /// A launcher of which a test says only what matters to it: nothing is ever found that it has not started.
 class LauncherWithoutMemory : public campaign::Launcher {
  public:
-  void prepare(const std::filesystem::path&) override {}
+  void prepare(const std::filesystem::path&, int) override {}
   bool adopt(const campaign::LaunchRequest&, const campaign::Handle&) override { return false; }
-  [[nodiscard]] campaign::Presence presence(const std::filesystem::path&,
-                                            const campaign::Handle&) const override {
-    return campaign::Presence::kGone;
+  [[nodiscard]] std::vector<campaign::Presence> presences(
+      const std::vector<campaign::AttemptPlace>& places) const override {
+    return std::vector<campaign::Presence>(places.size(), campaign::Presence::kGone);
   }
   void clean_up(const std::filesystem::path&) override {}
   [[nodiscard]] std::optional<int> capacity() const override { return 2; }

@@ -169,6 +169,36 @@ TEST_F(StoreTest, CountsFailuresSinceTheLastProgress) {
   EXPECT_EQ(store.find_case(id)->attempts_without_progress, 1);
 }
 
+TEST_F(StoreTest, AllCasesAtOnceAreTheSameAsOneByOne) {
+  attempt_that_ends_with(AttemptOutcome::kInterrupted, 100);
+  attempt_that_ends_with(AttemptOutcome::kFailed, 90);
+  attempt_that_ends_with(AttemptOutcome::kKilled, 100);
+  const auto all = store.all_cases();
+  ASSERT_EQ(all.size(), campaign.cases.size());
+  EXPECT_EQ(all.at(id).attempts, 3);
+  EXPECT_EQ(all.at(id).attempts_without_progress, 2);
+  for (const CampaignCase& one : campaign.cases) {
+    const CaseRecord alone = *store.find_case(one.definition.id);
+    const CaseRecord& among = all.at(one.definition.id);
+    EXPECT_EQ(std::tie(among.label, among.state, among.attempts, among.attempts_without_progress),
+              std::tie(alone.label, alone.state, alone.attempts, alone.attempts_without_progress));
+  }
+  EXPECT_EQ(store.open_attempts(id).size(), 0U);
+}
+
+TEST_F(StoreTest, WritesInsideATransactionAreOneWithIt) {
+  {
+    Transaction together(store.connection());
+    store.set_state(id, CaseState::kFailed, "lost again");
+    store.set_stale(id, "too");
+  }
+  EXPECT_EQ(store.find_case(id)->state, CaseState::kNew);
+  Transaction together(store.connection());
+  store.set_state(id, CaseState::kFailed, "kept");
+  together.commit();
+  EXPECT_EQ(store.find_case(id)->state_reason, "kept");
+}
+
 TEST_F(StoreTest, WhatIsNotTheCasesFaultIsNotCounted) {
   attempt_that_ends_with(failed_at(0));
   for (const AttemptOutcome outcome :

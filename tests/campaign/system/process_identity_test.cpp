@@ -3,15 +3,9 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-#include <algorithm>
-#include <chrono>
-#include <functional>
-#include <thread>
-
 #include <nlohmann/json.hpp>
 
 #include "tests/support/child_process.hpp"
-#include "tests/support/temporary_folder.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -52,27 +46,6 @@ TEST(ProcessIdentity, AnEndedProcessIsNotAliveEvenBeforeItIsWaitedFor) {
   EXPECT_FALSE(is_alive(identity));
   child.wait();
   EXPECT_FALSE(is_alive(identity));
-}
-
-TEST(ProcessesOf, FindsExactlyTheProcessesOfARunDirectory) {
-  const test::TemporaryFolder folder;
-  const auto directory = folder.path() / "case";
-  // The environment of a process is what it was given at exec.
-  const auto start = [](const std::filesystem::path& run_directory) {
-    return [run_directory] {
-      setenv(kRunDirectoryVariable, run_directory.c_str(), 1);
-      execl("/bin/sleep", "sleep", "60", nullptr);
-      return 127;
-    };
-  };
-  const test::ChildProcess ours(start(directory));
-  const test::ChildProcess neighbour(start(folder.path() / "case2"));
-  std::vector<pid_t> found;
-  for (int i = 0; i < 100 && found.empty(); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    found = processes_of(directory);
-  }
-  EXPECT_EQ(found, std::vector<pid_t>{ours.pid()});
 }
 
 }  // namespace

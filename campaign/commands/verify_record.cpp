@@ -1,0 +1,105 @@
+#include "campaign/commands/verify_record.hpp"
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+
+#include "analysis/derived.hpp"
+#include "campaign/observe/observe.hpp"
+#include "campaign/observe/run_reports.hpp"
+#include "solver/case/bad_input.hpp"
+#include "solver/case/case.hpp"
+#include "solver/run_directory/statistics_file.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+/// What attempt and summary both hold, to be compared bit by bit.
+auto numbers_of(const AttemptEnd& end) {
+  return std::tie(end.step, end.time, end.attempt_steps, end.wall_seconds, end.ns_per_cell_step);
+}
+
+auto origin_of(const AttemptEnd& end) {
+  return std::tie(end.started, end.ended, end.version, end.git_revision, end.build_type, end.compiler);
+}
+
+/// NaN is stored as nothing.
+bool same_diagnostics(const AttemptEnd& stored, const AttemptEnd& told) {
+  for (const auto& [name, value] : told.diagnostics) {
+    const auto found = stored.diagnostics.find(name);
+    if (std::isfinite(value) && (found == stored.diagnostics.end() || found->second != value)) return false;
+  }
+  for (const auto& [name, value] : stored.diagnostics)
+    if (!told.diagnostics.contains(name)) return false;
+  return true;
+}
+
+/// case.json is written anew for every attempt.
+std::optional<double> end_time_in_case_file(const RunFiles& run) {
+  try {
+    return read_case(run.case_file()).run.end_time;
+  } catch (const BadInput&) {
+    return std::nullopt;
+  }
+}
+
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+}  // namespace
+
+std::string difference_of_attempt(const Store& store, const CampaignCase& one, const RunFiles& run) {
+  const std::string& id = one.definition.id;
+  const auto summary = read_summary(run, id);
+  if (!summary) return "";
+  const auto attempts = store.past_attempts(id);
+  if (attempts.empty() || attempts.back().attempt != summary->attempt) {
+    const bool older = !attempts.empty() && attempts.back().attempt > summary->attempt;
+    if (older) return "";  // the newest attempt left no summary
+    return "is of attempt " + std::to_string(summary->attempt) + ", which the store does not know";
+  }
+  const PastAttempt& stored = attempts.back();
+  const AttemptEnd told = describe_end(one, run, summary->attempt, std::nullopt);
+  const bool in_order = stored.end.outcome == told.outcome;
+  if (in_order && stored.end.exit_code && stored.end.exit_code != summary->exit_code)
+    return "tells another exit status than the store";
+  if (in_order && !summary->checkpoint.empty() &&
+      run.directory / summary->checkpoint != run.checkpoint(summary->step))
+    return "names another checkpoint than that of its step";
+  if (summary->end_time != end_time_in_case_file(run)) return "tells another end time than case.json";
+  if (numbers_of(stored.end) != numbers_of(told)) return "has other numbers than the store";
+  if (origin_of(stored.end) != origin_of(told)) return "names another origin than the store";
+  if (stored.start.resumed_from != summary->resumed_from)
+    return "began from another checkpoint than the store";
+  if (in_order && stored.end.reason != told.reason) return "gives another reason than the store";
+  if (stored.start.host != summary->host || stored.start.ranks != summary->ranks)
+    return "names another host or other ranks than the store";
+  return same_diagnostics(stored.end, told) ? "" : "has other diagnostics than the store";
+}
+
+std::string difference_of_result(Store& store, const CampaignCase& one, const RunFiles& run) {
+  try {
+    const auto derived = analysis::derive(analysis::read_statistics(run.statistics()));
+    const std::string& id = one.definition.id;
+    const auto origin = store.result_origin(id);
+    if (!origin) return "the store has no result of it";
+    if (origin->analysis_version != analysis::kAnalysisVersion) return "";
+    for (const auto& [name, member] : analysis::kMeasuredMembers) {
+      Statement row = store.connection().query(
+          "SELECT value, ci95 FROM quantities WHERE case_id = ? AND quantity = ?", id, name);
+      const auto& measured = derived.*member;
+      const bool there = row.step();
+      const double value = there && !row.is_null(0) ? row.real(0) : std::nan("");
+      const double ci95 = there && !row.is_null(1) ? row.real(1) : std::nan("");
+      if (!same(value, measured.value) || !same(ci95, measured.ci95.value_or(std::nan(""))))
+        return "the store has another " + std::string(name) + " than its statistics give";
+    }
+    return "";
+  } catch (const SqliteError&) {
+    throw;
+  } catch (const std::runtime_error&) {
+    return "";
+  }
+}
+
+}  // namespace softwall::campaign

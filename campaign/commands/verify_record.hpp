@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "campaign/core/campaign.hpp"
+#include "campaign/store/store.hpp"
+#include "solver/run_directory/run_files.hpp"
+
+namespace softwall::campaign {
+
+/// In what the store's row of the newest attempt of a case differs from its summary.json; empty: in nothing.
+/// Both were written from the same numbers, so that a bit that has changed in one of them shows.
+[[nodiscard]] std::string difference_of_attempt(const Store& store, const CampaignCase& one,
+                                                const RunFiles& run);
+
+/// In what the stored result of a finished case differs from the one that its statistics give now; empty: in
+/// nothing, or one of them cannot be had, which others tell.
+[[nodiscard]] std::string difference_of_result(Store& store, const CampaignCase& one, const RunFiles& run);
+
+}  // namespace softwall::campaign

@@ -1,0 +1,91 @@
+#include "campaign/observe/observe.hpp"
+#include "campaign/observe/run_reports.hpp"
+#include "campaign/runner/orphans.hpp"
+#include "campaign/runner/runner.hpp"
+#include "campaign/store/import_results.hpp"
+#include "campaign/system/clock.hpp"
+
+/// What the runner does before it starts anything.
+namespace softwall::campaign {
+
+/// What an earlier runner left: its solvers adopted or ended, the store brought up to the run directories.
+bool Runner::take_stock() {
+  const auto& cases = book_.campaign().cases;
+  store_.record_campaign(book_.campaign());
+  const bool ready = end_what_is_not_adopted();
+  if (!ready) {
+    for (const CampaignCase& one : cases) {
+      book_.look_at(one);
+      if (working_.contains(one.definition.id)) book_.mark_running(one);
+    }
+    return false;
+  }
+  record_what_is_new();
+  book_.look_at_precursors();
+  const auto origins = store_.result_origins();
+  Transaction together(store_.connection());
+  for (const CampaignCase& one : cases) {
+    if (book_.seen(one).state != CaseState::kFinished) continue;
+    const auto origin = origins.find(one.definition.id);
+    if (origin == origins.end() || !is_recorded(origin->second, book_.files_of(one))) deliver_result(one);
+  }
+  together.commit();
+  return true;
+}
+
+/// The store is brought up to the run directories. A case that it knows to have finished, in the attempt that
+/// the files tell of, needs nothing.
+void Runner::record_what_is_new() {
+  Transaction together(store_.connection());
+  const auto before = store_.all_cases();
+  std::vector<Observation> seen;
+  for (const CampaignCase& one : book_.campaign().cases) {
+    const std::string& id = one.definition.id;
+    const RunFiles run = book_.files_of(one);
+    seen.push_back(observe_files(one, run));
+    const auto known = before.find(id);
+    const bool is_known = known != before.end() && known->second.state == CaseState::kFinished &&
+                          seen.back().state == CaseState::kFinished &&
+                          known->second.attempts == seen.back().attempts;
+    if (is_known || working_.contains(id)) continue;
+    import_history(store_, one, run, seen.back());
+    store_.forgive(id);  // whoever runs the campaign again asks for another try
+  }
+  const auto after = store_.all_cases();
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const CampaignCase& one = book_.campaign().cases[i];
+    book_.look_at(one, seen[i], after.at(one.definition.id));
+    if (working_.contains(one.definition.id)) book_.mark_running(one);
+  }
+  together.commit();
+}
+
+bool Runner::end_what_is_not_adopted() {
+  std::vector<WorkPlace> others;
+  for (const CampaignCase& one : book_.campaign().cases) {
+    if (!adopt(one)) others.push_back({one.definition.label, book_.files_of(one)});
+  }
+  return end_orphans(others, launcher_, options_.grace, signals_, progress_);
+}
+
+/// True when an attempt of an earlier softwall goes on, and is watched from now on like one of our own.
+bool Runner::adopt(const CampaignCase& one) {
+  const std::string& id = one.definition.id;
+  const RunFiles run = book_.files_of(one);
+  const auto record = read_run_record(run);
+  if (!record || record->case_id != id || store_.attempts(id) != record->attempt) return false;
+  if (launcher_.presence(run.directory, record->handle) == Presence::kGone) return false;
+  const LaunchRequest request{id, run.directory, record->attempt, one.ranks,
+                              book_.campaign().execution.walltime_seconds};
+  if (!launcher_.adopt(request, record->handle)) return false;
+  AttemptWatch& watch = working_[id];
+  watch.attempt = record->attempt;
+  watch.ranks = one.ranks;
+  watch.handle = record->handle;
+  watch.moved_at = monotonic_seconds();
+  progress_.event(one.definition.label +
+                  ": an earlier softwall started it and it goes on; waiting for its end");
+  return true;
+}
+
+}  // namespace softwall::campaign

@@ -1,0 +1,78 @@
+#include "campaign/system/work_marks.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+namespace softwall::campaign {
+namespace {
+
+std::string environment_of(const std::filesystem::path& process) {
+  std::ifstream in(process / "environ", std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::optional<pid_t> number_in(std::string_view text) {
+  pid_t number = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || rest != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// The block is a sequence of NAME=value, each ended by a zero byte.
+std::optional<std::string> value_in(std::string_view environment, const std::string& name) {
+  const std::string begin = name + "=";
+  while (!environment.empty()) {
+    const std::string_view entry = environment.substr(0, environment.find('\0'));
+    if (entry.starts_with(begin)) return std::string(entry.substr(begin.size()));
+    environment.remove_prefix(std::min(entry.size() + 1, environment.size()));
+  }
+  return std::nullopt;
+}
+
+/// Where process pid works; nothing when it is none of ours.
+std::optional<std::string> workplace_of(pid_t pid, const std::filesystem::path& process) {
+  const std::string environment = environment_of(process);
+  const auto directory = value_in(environment, kRunDirectoryVariable);
+  if (!directory) return std::nullopt;
+  const auto session = value_in(environment, kSessionVariable);
+  return session && number_in(*session) == getsid(pid) ? directory : std::nullopt;
+}
+
+}  // namespace
+
+std::filesystem::path canonical_run_directory(const std::filesystem::path& run_directory) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(run_directory));
+}
+
+std::string run_directory_mark(const std::filesystem::path& run_directory) {
+  return std::string(kRunDirectoryVariable) + "=" + canonical_run_directory(run_directory).string();
+}
+
+ProcessesAtWork ProcessesAtWork::look() {
+  ProcessesAtWork work;
+  std::error_code ignored;  // processes end while we look; what cannot be read is not ours
+  for (std::filesystem::directory_iterator item("/proc", ignored), end; item != end;
+       item.increment(ignored)) {
+    const auto pid = number_in(item->path().filename().string());
+    if (!pid || *pid == getpid()) continue;
+    if (const auto directory = workplace_of(*pid, item->path()))
+      work.by_directory_[*directory].push_back(*pid);
+  }
+  return work;
+}
+
+std::vector<pid_t> ProcessesAtWork::in(const std::filesystem::path& run_directory) const {
+  if (nobody()) return {};
+  const auto found = by_directory_.find(canonical_run_directory(run_directory).string());
+  return found == by_directory_.end() ? std::vector<pid_t>() : found->second;
+}
+
+}  // namespace softwall::campaign

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/campaign/runner/fake_launcher.hpp"
+#include "tests/campaign/runner/runner_fixture.hpp"
+
+/// What becomes of a case of which something is damaged, missing or cannot be read.
+namespace softwall::campaign {
+namespace {
+
+using test::FakeLauncher;
+
+TEST_F(RunnerTest, DamagedStatisticsAreMadeAgainFromTheLastCheckpoint) {
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  run(launcher);
+  std::filesystem::resize_file(run_files(folder_.path(), campaign_.cases[2]).statistics(), 700);
+  std::filesystem::remove(run_files(folder_.path(), campaign_.cases[3]).statistics());
+  FakeLauncher second([&](const LaunchRequest& request) { return finish(request); });
+  const RunnerReport report = run(second);
+  EXPECT_EQ(report.finished, 5U);
+  EXPECT_TRUE(report.failed.empty());
+  ASSERT_EQ(second.started.size(), 2U);
+  EXPECT_EQ(second.started[0].case_id, id(2));
+  EXPECT_EQ(second.started[1].case_id, id(3));
+}
+
+/// A case of which every attempt ends in order after step 500.
+class LadderTest : public RunnerTest {
+ protected:
+  LadderTest() {
+    FakeLauncher launcher([&](const LaunchRequest& request) {
+      if (case_of(request.case_id).is_precursor) return finish(request);
+      test::write_checkpoint(RunFiles{request.run_directory}, request.case_id, 500, 1.0);
+      return 1;
+    });
+    run(launcher);
+  }
+  [[nodiscard]] RunFiles files() const { return run_files(folder_.path(), campaign_.cases[1]); }
+};
+
+TEST_F(LadderTest, ACheckpointThatCannotBeReadIsWaitedForAndLeftAlone) {
+  const auto newest = files().checkpoint(600);
+  std::filesystem::create_symlink(newest, newest);  // whoever opens it is refused by the system
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  const RunnerReport report = run(launcher);
+  ASSERT_EQ(report.unfinished.size(), 1U);
+  EXPECT_NE(report.unfinished[0].reason.find("checkpoint-000000600.h5: it cannot be read"), std::string::npos)
+      << report.unfinished[0].reason;
+  EXPECT_TRUE(report.failed.empty());
+  EXPECT_TRUE(std::filesystem::is_symlink(newest));
+  EXPECT_EQ(launcher.started.size(), 3U) << "the others go on";
+}
+
+TEST_F(LadderTest, ACaseThatHadCheckpointsDoesNotStartOverUnasked) {
+  std::filesystem::resize_file(files().checkpoint(500), 4096);
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  for (int i = 0; i < 2; ++i) {
+    const RunnerReport report = run(launcher);
+    ASSERT_EQ(report.unfinished.size(), 1U);
+    EXPECT_NE(report.unfinished[0].reason.find("--start-over"), std::string::npos);
+  }
+  EXPECT_EQ(launcher.started.size(), 3U);
+  RunnerOptions options;
+  options.start_over = true;
+  EXPECT_EQ(run(launcher, options).finished, 5U);
+}
+
+}  // namespace
+}  // namespace softwall::campaign

@@ -1,0 +1,66 @@
+#include "campaign/system/work_marks.hpp"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "tests/support/child_process.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+/// A process whose environment, given at exec, names a run directory and a session; 0: the one it leads.
+std::function<int()> worker(const std::string& run_directory, pid_t session = 0) {
+  return [run_directory, session] {
+    if (session == 0) setsid();
+    setenv(kRunDirectoryVariable, run_directory.c_str(), 1);
+    setenv(kSessionVariable, std::to_string(session == 0 ? getpid() : session).c_str(), 1);
+    execl("/bin/sleep", "sleep", "60", nullptr);
+    return 127;
+  };
+}
+
+std::vector<pid_t> wait_for_work(const std::filesystem::path& directory) {
+  std::vector<pid_t> found;
+  for (int i = 0; i < 100 && found.empty(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    found = ProcessesAtWork::look().in(directory);
+  }
+  return found;
+}
+
+class WorkMarksTest : public ::testing::Test {
+ protected:
+  test::TemporaryFolder folder_;
+  std::filesystem::path directory_ = std::filesystem::canonical(folder_.path()) / "case";
+};
+
+TEST_F(WorkMarksTest, FindsExactlyTheProcessesOfARunDirectory) {
+  const test::ChildProcess ours(worker(directory_)), neighbour(worker(directory_.string() + "2"));
+  EXPECT_EQ(wait_for_work(directory_), std::vector<pid_t>{ours.pid()});
+}
+
+TEST_F(WorkMarksTest, APersonsProcessWithTheSameVariablesIsNotTaken) {
+  const test::ChildProcess ours(worker(directory_));
+  ASSERT_EQ(wait_for_work(directory_), std::vector<pid_t>{ours.pid()});
+  const test::ChildProcess copied(worker(directory_, ours.pid()));
+  const test::ChildProcess only_the_directory(worker(directory_, 1));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(ProcessesAtWork::look().in(directory_), std::vector<pid_t>{ours.pid()});
+}
+
+TEST_F(WorkMarksTest, ADirectoryIsTheSameBehindALink) {
+  std::filesystem::create_directory(directory_);
+  std::filesystem::create_symlink(directory_, folder_.path() / "link");
+  EXPECT_EQ(run_directory_mark(folder_.path() / "link"), "SOFTWALL_RUN_DIRECTORY=" + directory_.string());
+  const test::ChildProcess ours(worker(directory_));
+  EXPECT_EQ(wait_for_work(folder_.path() / "link"), std::vector<pid_t>{ours.pid()});
+}
+
+}  // namespace
+}  // namespace softwall::campaign
