@@ -1,6 +1,5 @@
 #include "solver/solid/reference_map/mending.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "solver/grid/cell_loop.hpp"
@@ -8,9 +7,6 @@
 namespace softwall::solid::reference_map {
 
 namespace {
-
-/// In which a wholly damaged point goes half the way to the mean of its neighbours, h/U_b.
-constexpr double kTime = 0.01;
 
 /// Half the way to the mean of the six neighbours.
 Real way_to_neighbours(const View<const Real>& q, int i, int j, int k) {
@@ -37,9 +33,7 @@ Mending::Mending(const Grid& grid, int planes)
     : grid_(grid), planes_(planes), moves_(grid::some_planes(grid, planes)) {}
 
 /// A point moves with the worse of the two cells beside it.
-void Mending::find(const Damage& damage, const grid::VectorField& d, double duration,
-                   const RowsOfAPlane& rows) {
-  const Real share = Real(std::min(1.0, duration / kTime));
+void Mending::find(const Damage& damage, const grid::VectorField& d, const RowsOfAPlane& rows) {
   const auto x = d.x.view(), y = d.y.view(), z = d.z.view();
   const auto to_x = moves_.x.view(), to_y = moves_.y.view(), to_z = moves_.z.view();
   const auto worn = damage.view();
@@ -49,9 +43,9 @@ void Mending::find(const Damage& damage, const grid::VectorField& d, double dura
     const int below = j > rows.j0 ? j - 1 : j;
     grid::for_each_cell({0, grid_.nx, j, j + 1, k, k + 1}, [=](int i, int, int) {
       const Real here = worn(i, j, k);
-      to_x(i, j, slot) = share * worse_of(here, worn(i - 1, j, k)) * way_to_neighbours(x, i, j, k);
-      to_y(i, j, slot) = share * worse_of(here, worn(i, below, k)) * way_to_neighbours(y, i, j, k);
-      to_z(i, j, slot) = share * worse_of(here, worn(i, j, k - 1)) * way_to_neighbours(z, i, j, k);
+      to_x(i, j, slot) = worse_of(here, worn(i - 1, j, k)) * way_to_neighbours(x, i, j, k);
+      to_y(i, j, slot) = worse_of(here, worn(i, below, k)) * way_to_neighbours(y, i, j, k);
+      to_z(i, j, slot) = worse_of(here, worn(i, j, k - 1)) * way_to_neighbours(z, i, j, k);
     });
   }
 }

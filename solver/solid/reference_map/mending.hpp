@@ -7,11 +7,10 @@
 
 /// Mends a map that the grid has torn. Under a surface that the grid cannot resolve (waves about to break),
 /// neighbouring points lose each other: det A departs from 1 by much, or the stretch exceeds anything that
-/// the layer could do. No stress brings such points together again, and left alone they end the run. So a
-/// point beside such a cell moves towards the mean of its six neighbours: where the damage is whole half the
-/// way in a substep of 0.01 h/U_b, in a shorter one less, so that a run with smaller steps mends as much.
-/// Cells whose damage is twice as large are torn. They are counted (`limited_cells`), and the count tells how
-/// far to trust a run.
+/// the layer could do. No stress brings such points together again, and left alone they end the run. So in
+/// every substep a point beside such a cell moves towards the mean of its six neighbours, half the way where
+/// the damage is whole. Cells whose damage is twice as large are torn. They are counted (`limited_cells`),
+/// and the count tells how far to trust a run.
 ///
 /// Damage begins early: on 96 x (96 + 24) x 96 cells, G = 0.25, errors of det A that were left alone until
 /// they exceeded 0.35 grew within 4 h/U_b, 0.2 at t = 16 and 1 at t = 21, and the step fell to a tenth. Where
@@ -66,9 +65,7 @@ class Mending {
   /// `planes`: found before the first of them is added.
   Mending(const Grid& grid, int planes);
 
-  /// `duration` of the substep, h/U_b.
-  void find(const Damage& damage, const grid::VectorField& displacement, double duration,
-            const RowsOfAPlane& rows);
+  void find(const Damage& damage, const grid::VectorField& displacement, const RowsOfAPlane& rows);
   void add(const Damage& damage, const RowsOfAPlane& rows, grid::VectorField& displacement) const;
 
  private:

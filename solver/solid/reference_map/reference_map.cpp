@@ -70,7 +70,7 @@ void ReferenceMap::advance(Material& m, const grid::VectorField& velocity, const
     if (k < grid_.nz) {
       const RowsOfAPlane rows{k, first_row};
       find_rates(m.displacement, velocity, relaxation, grid_, weights_, rows, recent_rates(k));
-      mending_.find(damage_, m.displacement, 2 * stage.alpha * dt, rows);
+      mending_.find(damage_, m.displacement, rows);
     }
     if (k >= kGhost) {
       const RowsOfAPlane rows{k - kGhost, first_row};
