@@ -269,4 +269,4 @@ WITH events (at, rank, event, attempt, detail, case_id) AS (
   FROM quantities GROUP BY case_id)
 SELECT e.at, e.event, c.label, e.attempt, e.detail, e.case_id
 FROM events e JOIN cases c USING (case_id)
-ORDER BY e.at, e.case_id, e.rank, e.attempt;
+ORDER BY substr(e.at, 1, 23), e.case_id, e.rank, e.attempt;

@@ -11,6 +11,7 @@
 #include "solver/case/bad_input.hpp"
 #include "solver/case/case.hpp"
 #include "solver/run_directory/statistics_file.hpp"
+#include "solver/run_directory/summary.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -44,6 +45,11 @@ std::optional<double> end_time_in_case_file(const RunFiles& run) {
   }
 }
 
+/// The store holds what mpirun returned: the solver's status only if nobody killed mpirun after the summary.
+bool is_of_the_solver(int exit_code, const Summary& summary) {
+  return outcome_of(static_cast<ExitCode>(exit_code)) == summary.outcome;
+}
+
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 }  // namespace
@@ -61,7 +67,8 @@ std::string difference_of_attempt(const Store& store, const CampaignCase& one, c
   const PastAttempt& stored = attempts.back();
   const AttemptEnd told = describe_end(one, run, summary->attempt, std::nullopt);
   const bool in_order = stored.end.outcome == told.outcome;
-  if (in_order && stored.end.exit_code && stored.end.exit_code != summary->exit_code)
+  if (in_order && stored.end.exit_code && is_of_the_solver(*stored.end.exit_code, *summary) &&
+      stored.end.exit_code != summary->exit_code)
     return "tells another exit status than the store";
   if (in_order && !summary->checkpoint.empty() &&
       run.directory / summary->checkpoint != run.checkpoint(summary->step))
