@@ -72,6 +72,14 @@ std::string trouble_with_run_record(const RunFiles& run, const std::string& case
   return record && record->case_id == case_id ? "" : "cannot be read, or is not of case " + case_id;
 }
 
+/// Whether the newest attempt was recorded as started, which is done after run.json is written: a runner that
+/// is killed between the launch and that leaves an attempt without either.
+bool has_handle(Store& store, const std::string& case_id) {
+  Statement row = store.connection().query(
+      "SELECT handle FROM attempts WHERE case_id = ? ORDER BY attempt DESC LIMIT 1", case_id);
+  return row.step() && !row.is_null(0);
+}
+
 /// An attempt that ends in order writes a checkpoint of the step that its summary tells.
 std::string trouble_with_newest(const RunFiles& run, const std::string& case_id) {
   const auto summary = read_summary(run, case_id);
@@ -111,7 +119,8 @@ class Verification {
   void check_at_rest(const CampaignCase& one, const RunFiles& run, const Tell& tell) {
     const std::string& id = one.definition.id;
     if (std::filesystem::exists(run.summary())) {
-      tell(run.run_record(), trouble_with_run_record(run, id));
+      if (std::filesystem::exists(run.run_record()) || (store_ && has_handle(*store_, id)))
+        tell(run.run_record(), trouble_with_run_record(run, id));
       tell(run.checkpoints(), trouble_with_newest(run, id));
       if (store_) tell(run.summary(), difference_of_attempt(*store_, one, run));
     }
