@@ -1,39 +1,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 
-#include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
-#include "campaign/runner/runner.hpp"
-#include "solver/run_directory/statistics_file.hpp"
-#include "tests/analysis/samples.hpp"
-#include "tests/campaign/core/examples.hpp"
-#include "tests/campaign/observe/run_directory_files.hpp"
 #include "tests/campaign/runner/fake_batch_system.hpp"
-#include "tests/campaign/store/examples.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/campaign/runner/runner_fixture.hpp"
 
 /// Attempts that an earlier softwall left with a batch system, which does not end them with it.
 namespace softwall::campaign {
 namespace {
 
-class AdoptionTest : public ::testing::Test {
+class AdoptionTest : public RunnerTest {
  protected:
   AdoptionTest() {
+    campaign_ = tests::campaign_of(tests::elastic_campaign());
     system_.play = [this](const LaunchRequest& request) { finish(request); };
-  }
-
-  void finish(const LaunchRequest& request) const {
-    const RunFiles run{request.run_directory};
-    const auto one = std::ranges::find_if(
-        campaign_.cases, [&](const auto& each) { return each.definition.id == request.case_id; });
-    const double end_time = one->definition.run.end_time;
-    test::write_checkpoint(run, request.case_id, 1000, end_time);
-    auto statistics = analysis::samples::elastic_statistics({}, 20);
-    statistics.case_id = request.case_id;
-    analysis::write_statistics(run.statistics(), statistics);
-    test::write_summary(run, request.case_id, request.attempt, "finished", 1000, end_time);
   }
 
   /// What an earlier softwall had done when it was killed: the precursor's first attempt is with the system.
@@ -50,18 +31,8 @@ class AdoptionTest : public ::testing::Test {
     return handle;
   }
 
-  RunnerReport run(Launcher& launcher, RunnerOptions options = {}) {
-    options.poll = std::chrono::milliseconds(1);
-    Signals signals;
-    Progress progress("");
-    Store store = Store::open(folder_.path(), OpenMode::kCreate);
-    return Runner(campaign_, folder_.path(), {launcher, store, progress, signals}, options).run();
-  }
-
   [[nodiscard]] const std::string& precursor_id() const { return campaign_.cases.front().definition.id; }
 
-  test::TemporaryFolder folder_;
-  Campaign campaign_ = tests::campaign_of(tests::elastic_campaign());
   test::BatchSystem system_;
 };
 
