@@ -54,7 +54,7 @@ double elastic_limit(const Spacing& d, const SolidSpec& solid) {
   const step_limits::Deformation<double> B{most, most, most, 0, 0, 0};
   const step_limits::InverseSpacings<double> inv{1 / d.x, 1 / d.y, 1 / d.z};
   return step_limits::elastic(
-      solid.stiffness, solid.G,
+      solid.stiffness, {solid.G},
       solid.stiffness == Stiffness::kImplicit ? stiffness_along_rows(B, inv) : stiffness(B, inv));
 }
 

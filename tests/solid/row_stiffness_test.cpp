@@ -4,7 +4,7 @@
 
 #include "solver/case/step_limits.hpp"
 #include "solver/solid/fraction.hpp"
-#include "solver/solid/transported_b.hpp"
+#include "solver/solid/transported_b/transported_b.hpp"
 #include "tests/support/fields.hpp"
 #include "tests/support/physics.hpp"
 #include "tests/support/round_off.hpp"

@@ -74,7 +74,7 @@ TEST(Profiles, StressesAreTheFluxesOfTheMomentumEquation) {
     const auto m = support::momentum_input(s.velocity, g, setup.viscosity);
     const solid::InterfaceShare by_volume(solid::kMeanByVolume, g);
     solid::ExcessViscosity excess(s.elastic ? physics.solid->viscosity_ratio : 1, 0.9, by_volume, g);
-    solid::ElasticForce elastic(s.elastic ? physics.solid->G : 0, by_volume, g);
+    solid::ElasticForce elastic({s.elastic ? grid::Real(physics.solid->G) : 0}, by_volume, g);
     if (s.elastic) {
       for (int k = 0; k < g.nz; ++k) elastic.find(s.material, 0, k);
       excess.renew(s.material, s.velocity, 0);

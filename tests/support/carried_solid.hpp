@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "solver/solid/limiter.hpp"
 #include "solver/solid/solid.hpp"
+#include "solver/solid/transported_b/limiter.hpp"
 #include "tests/support/fields.hpp"
 
 /// phi and B carried and stretched by velocities that are given: no momentum.

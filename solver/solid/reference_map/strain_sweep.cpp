@@ -46,7 +46,7 @@ StrainSweep::StrainSweep(const Grid& g) : nx_(g.nx), ny_(g.ny), nz_(g.nz) {
 }
 
 std::int64_t StrainSweep::run(const Strain& strain, View<const Real> phi, int first_row,
-                              const StrainFields& to, Damage& damage, const PlaneReady& ready) {
+                              const StrainFields& to, Damage& damage, PlaneFollower& follower) {
   std::int64_t torn = 0;
   for (int k = -1; k <= nz_; ++k) {
     const bool has_centers = k < nz_, has_edges = k >= 0;
@@ -71,7 +71,7 @@ std::int64_t StrainSweep::run(const Strain& strain, View<const Real> phi, int fi
       if (has_edges) edges_xz(strain, j, k, to.xz);
       std::swap(low_, high_);
     }
-    if (k > 0) ready(k - 1);
+    if (k > 0) follower.plane_is_ready(k - 1);
   }
   return torn;
 }

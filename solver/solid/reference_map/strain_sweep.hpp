@@ -28,9 +28,9 @@ class StrainSweep {
 
   /// Rows first_row <= j < ny, xy and yz edges on the upper wall, too; and what borders on this rank's cells:
   /// centers one column and plane before them, edges on their high sides. Returns the number of this rank's
-  /// torn cells. ready: when the next plane is found, too.
+  /// torn cells. A plane is ready for the follower when the next one is found, too.
   std::int64_t run(const Strain& strain, View<const Real> phi, int first_row, const StrainFields& to,
-                   Damage& damage, const PlaneReady& ready);
+                   Damage& damage, PlaneFollower& follower);
 
  private:
   using Row = parallel::LineVector<Real>;

@@ -1,4 +1,4 @@
-#include "solver/solid/advection.hpp"
+#include "solver/solid/transported_b/advection.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "solver/solid/transport_velocity.hpp"
+#include "solver/solid/transported_b/transport_velocity.hpp"
 #include "solver/solid/weno.hpp"
 
 /// Transport in flux form: rate = -div(velocity q), face velocity times upwind WENO value, each face computed

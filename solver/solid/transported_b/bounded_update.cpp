@@ -1,4 +1,4 @@
-#include "solver/solid/bounded_update.hpp"
+#include "solver/solid/transported_b/bounded_update.hpp"
 
 #include <algorithm>
 #include <array>

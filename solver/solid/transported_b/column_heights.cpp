@@ -1,4 +1,4 @@
-#include "solver/solid/column_heights.hpp"
+#include "solver/solid/transported_b/column_heights.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "solver/solid/fraction_transport.hpp"
+#include "solver/solid/transported_b/fraction_transport.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "solver/grid/cell_loop.hpp"
-#include "solver/solid/thinc.hpp"
+#include "solver/solid/transported_b/thinc.hpp"
 
 namespace softwall::solid {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/solid/bounded_update.hpp"
+#include "solver/solid/transported_b/bounded_update.hpp"
 
 /// Transport of phi as an algebraic volume of fluid: phi is carried through each face with the mean value
 /// that the smoothed step in the upwind cell (thinc.hpp) has there, so that the interface keeps its width

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "solver/grid/stage.hpp"
-#include "solver/solid/column_heights.hpp"
+#include "solver/solid/transported_b/column_heights.hpp"
 
 /// Transport of phi as a height: the surface of the solid is one height eta over each column, and the
 /// column's volume of solid changes by what flows in through its sides,

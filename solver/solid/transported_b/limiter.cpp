@@ -1,4 +1,4 @@
-#include "solver/solid/limiter.hpp"
+#include "solver/solid/transported_b/limiter.hpp"
 
 #include <algorithm>
 #include <cmath>

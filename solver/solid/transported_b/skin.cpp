@@ -1,11 +1,11 @@
-#include "solver/solid/skin.hpp"
+#include "solver/solid/transported_b/skin.hpp"
 
 #include <array>
 #include <utility>
 
 #include "solver/solid/column_extension.hpp"
 #include "solver/solid/fraction.hpp"
-#include "solver/solid/limiter.hpp"
+#include "solver/solid/transported_b/limiter.hpp"
 
 namespace softwall::solid {
 

@@ -1,4 +1,4 @@
-#include "solver/solid/solid_edges.hpp"
+#include "solver/solid/transported_b/solid_edges.hpp"
 
 #include "solver/solid/fraction.hpp"
 

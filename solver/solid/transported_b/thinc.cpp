@@ -1,4 +1,4 @@
-#include "solver/solid/thinc.hpp"
+#include "solver/solid/transported_b/thinc.hpp"
 
 #include <algorithm>
 #include <cmath>

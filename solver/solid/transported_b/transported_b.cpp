@@ -1,14 +1,14 @@
-#include "solver/solid/transported_b.hpp"
+#include "solver/solid/transported_b/transported_b.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "solver/grid/cell_loop.hpp"
-#include "solver/solid/limiter.hpp"
-#include "solver/solid/skin.hpp"
-#include "solver/solid/stretching.hpp"
-#include "solver/solid/unit_determinant.hpp"
+#include "solver/solid/transported_b/limiter.hpp"
+#include "solver/solid/transported_b/skin.hpp"
+#include "solver/solid/transported_b/stretching.hpp"
+#include "solver/solid/transported_b/unit_determinant.hpp"
 
 namespace softwall::solid {
 
@@ -68,7 +68,7 @@ int TransportedB::lowest_row(const Material& material) {
 }
 
 void TransportedB::transport(Material& material, const grid::VectorField& velocity, const Stage& stage,
-                             double dt, int first_row, const PlaneReady& ready) {
+                             double dt, int first_row, PlaneFollower* follower) {
   find_rates(material, velocity, first_row);
   if (fraction_) fraction_->advance(material.phi, velocity, stage, dt, first_row);
   if (height_) height_->advance(material.phi, velocity, stage, dt, first_row);
@@ -76,7 +76,8 @@ void TransportedB::transport(Material& material, const grid::VectorField& veloci
   if (height_) {
     restore_unit_determinant(material.B, grid_, halo_, first_row, restored_share(2 * stage.alpha * dt));
   }
-  make_consistent(material, first_row, ready);
+  make_consistent(material, first_row);
+  if (follower) show_planes(*follower);
 }
 
 void TransportedB::find_rates(const Material& m, const grid::VectorField& velocity, int first_row) {
@@ -127,14 +128,21 @@ void TransportedB::update(Material& m, const Stage& stage, double dt, int first_
   std::swap(now_, before_);
 }
 
-void TransportedB::make_consistent(Material& m, int first_row, const PlaneReady& ready) {
+void TransportedB::make_consistent(Material& m, int first_row, PlaneFollower& follower) {
+  make_consistent(m, first_row);
+  show_planes(follower);
+}
+
+void TransportedB::show_planes(PlaneFollower& follower) const {
+  for (int k = 0; k < grid_.nz; ++k) follower.plane_is_ready(k);
+}
+
+void TransportedB::make_consistent(Material& m, int first_row) {
   if (normal_) {
     surround(m);
   } else {
     line(m, first_row);
   }
-  if (!ready) return;
-  for (int k = 0; k < grid_.nz; ++k) ready(k);
 }
 
 /// Of a layer: ghost cells, skin, positive definiteness; each needs the one before it.

@@ -4,12 +4,12 @@
 
 #include "solver/case/case.hpp"
 #include "solver/grid/halo.hpp"
-#include "solver/solid/advection.hpp"
 #include "solver/solid/formulation.hpp"
-#include "solver/solid/fraction_transport.hpp"
-#include "solver/solid/height_transport.hpp"
-#include "solver/solid/normal_extension.hpp"
-#include "solver/solid/solid_edges.hpp"
+#include "solver/solid/transported_b/advection.hpp"
+#include "solver/solid/transported_b/fraction_transport.hpp"
+#include "solver/solid/transported_b/height_transport.hpp"
+#include "solver/solid/transported_b/normal_extension.hpp"
+#include "solver/solid/transported_b/solid_edges.hpp"
 
 /// The paper's formulation: phi and B are carried by the flow, equations (6)-(7), phi as the case asks for:
 ///   phi^k = phi^{k-1} - dt [ beta div(u phi)^{k-1} + gamma div(u phi)^{k-2} ]
@@ -26,9 +26,9 @@ class TransportedB : public Formulation {
 
   [[nodiscard]] int lowest_row(const Material& material) override;
   [[nodiscard]] int margin() const override { return kMargin; }
-  void make_consistent(Material& material, int first_row, const PlaneReady& ready) override;
+  void make_consistent(Material& material, int first_row, PlaneFollower& follower) override;
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
-                 int first_row, const PlaneReady& ready) override;
+                 int first_row, PlaneFollower* follower) override;
   /// Where B is the solid's own, too. Around a body of any shape the local shear stands in for the solid's.
   [[nodiscard]] Real solid_from() const override { return normal_ ? Real(0) : Real(spec_.threshold); }
   /// Under a height as with a reference map. The mean by volume where phi is smeared: there the fluid's alone
@@ -44,6 +44,8 @@ class TransportedB : public Formulation {
   };
   void find_rates(const Material& material, const grid::VectorField& velocity, int first_row);
   void update(Material& material, const Stage& stage, double dt, int first_row);
+  void make_consistent(Material& material, int first_row);
+  void show_planes(PlaneFollower& follower) const;
   void line(Material& material, int first_row);
   void surround(Material& material);
   void follow_surface(Material& material, int first_row);

@@ -1,9 +1,9 @@
-#include "solver/solid/unit_determinant.hpp"
+#include "solver/solid/transported_b/unit_determinant.hpp"
 
 #include <algorithm>
 
 #include "solver/grid/cell_loop.hpp"
-#include "solver/solid/limiter.hpp"
+#include "solver/solid/transported_b/limiter.hpp"
 
 namespace softwall::solid {
 

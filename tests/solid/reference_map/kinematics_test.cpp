@@ -5,6 +5,7 @@
 #include "solver/solid/reference_map/reference_map.hpp"
 #include "solver/solid/reference_map/strain.hpp"
 #include "tests/support/fields.hpp"
+#include "tests/support/no_follower.hpp"
 #include "tests/support/order.hpp"
 #include "tests/support/physics.hpp"
 #include "tests/support/reversing_vortex.hpp"
@@ -29,11 +30,12 @@ using VelocityAt = std::function<const grid::VectorField&(double)>;
 /// Moves the material through time T in n steps; velocity(t) gives the field at the start of each substep.
 void carry(ReferenceMap& map, Material& m, double T, int n, const VelocityAt& velocity_at) {
   const double dt = T / n;
-  map.make_consistent(m, 0, [](int) {});
+  support::NoFollower nobody;
+  map.make_consistent(m, 0, nobody);
   for (int step = 0; step < n; ++step) {
     double t = step * dt;
     for (const Stage& stage : kRungeKutta3) {
-      map.transport(m, velocity_at(t), stage, dt, 0, [](int) {});
+      map.transport(m, velocity_at(t), stage, dt, 0, &nobody);
       t += 2 * stage.alpha * dt;
     }
   }

@@ -4,6 +4,7 @@
 
 #include "solver/solid/reference_map/reference_map.hpp"
 #include "tests/support/fields.hpp"
+#include "tests/support/no_follower.hpp"
 
 namespace softwall::solid::reference_map {
 namespace {
@@ -37,12 +38,13 @@ struct TornLayer {
     m.surface_at_rest = 1.0;
     support::set_by_index(m.displacement.y, d.grid, d.grid.ny,
                           [=](int i, int j, int k) { return i == 3 && j == 12 && k == 4 ? d_y : 0.0; });
-    map.make_consistent(m, 0, [](int) {});
+    support::NoFollower nobody;
+    map.make_consistent(m, 0, nobody);
   }
 
   void substeps(int number, double dt) {
     for (int n = 0; n < number; ++n)
-      map.transport(m, still, kRungeKutta3[std::size_t(n % 3)], dt, 0, [](int) {});
+      map.transport(m, still, kRungeKutta3[std::size_t(n % 3)], dt, 0, &nobody);
   }
 
   [[nodiscard]] double displaced() const {

@@ -5,6 +5,7 @@
 #include "solver/solid/reference_map/reference_map.hpp"
 #include "solver/solid/reference_map/strain.hpp"
 #include "tests/support/fields.hpp"
+#include "tests/support/no_follower.hpp"
 
 namespace softwall::solid::reference_map {
 namespace {
@@ -44,11 +45,12 @@ std::pair<Volume, Volume> left_alone(Domain& d, const Displacement& displacement
     volume.height = g.height - depth;
     return volume;
   };
-  map.make_consistent(m, 0, [](int) {});
+  support::NoFollower nobody;
+  map.make_consistent(m, 0, nobody);
   const Volume before = look();
   const double dt = 0.01;
   for (int step = 0; step < T / dt; ++step) {
-    for (const Stage& stage : kRungeKutta3) map.transport(m, still, stage, dt, 0, [](int) {});
+    for (const Stage& stage : kRungeKutta3) map.transport(m, still, stage, dt, 0, &nobody);
   }
   return {before, look()};
 }

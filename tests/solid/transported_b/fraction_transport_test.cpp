@@ -1,4 +1,4 @@
-#include "solver/solid/fraction_transport.hpp"
+#include "solver/solid/transported_b/fraction_transport.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solver/solid/height_transport.hpp"
+#include "solver/solid/transported_b/height_transport.hpp"
 
 #include <gtest/gtest.h>
 

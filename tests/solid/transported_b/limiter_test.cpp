@@ -1,4 +1,4 @@
-#include "solver/solid/limiter.hpp"
+#include "solver/solid/transported_b/limiter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ class Limiter : public testing::TestWithParam<double> {
     d.halo.fill({&m.B.xy, &m.B.yz}, {0, d.grid.ny + 1});
   }
   ElasticForce force_of(const Material& m) const {
-    ElasticForce force(1.0, by_volume, d.grid);
+    ElasticForce force({1}, by_volume, d.grid);
     for (int k = 0; k < d.grid.nz; ++k) force.find(m, 0, k);
     return force;
   }

@@ -1,4 +1,4 @@
-#include "solver/solid/normal_extension.hpp"
+#include "solver/solid/transported_b/normal_extension.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solver/solid/skin.hpp"
+#include "solver/solid/transported_b/skin.hpp"
 
 #include <gtest/gtest.h>
 

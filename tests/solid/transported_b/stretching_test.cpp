@@ -1,4 +1,4 @@
-#include "solver/solid/stretching.hpp"
+#include "solver/solid/transported_b/stretching.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solver/solid/unit_determinant.hpp"
+#include "solver/solid/transported_b/unit_determinant.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "solver/solid/limiter.hpp"
+#include "solver/solid/transported_b/limiter.hpp"
 #include "tests/support/fields.hpp"
 #include "tests/support/order.hpp"
 #include "tests/support/physics.hpp"
