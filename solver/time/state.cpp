@@ -39,12 +39,12 @@ std::vector<NamedField> fields_of(State& s) {
   return fields;
 }
 
-State state_at_rest(const grid::Grid& grid, bool elastic, SolidFormulation formulation) {
+State state_at_rest(const grid::Grid& grid, std::optional<SolidFormulation> formulation) {
   State s;
   s.velocity = grid::VectorField(grid, 1, grid::Memory::kByPlane);
   s.pressure = grid::Field(grid, 1, grid::Memory::kByPlane);
-  s.elastic = elastic;
-  if (elastic) s.material = solid::flat_layer(grid, formulation);
+  s.elastic = formulation.has_value();
+  if (formulation) s.material = solid::flat_layer(grid, *formulation);
   return s;
 }
 
