@@ -9,7 +9,7 @@ std::unique_ptr<Formulation> make_formulation(const SolidSpec& spec, const Grid&
                                               const parallel::Decomposition& decomposition,
                                               grid::Halo& halo) {
   if (spec.formulation == SolidFormulation::kReferenceMap)
-    return std::make_unique<reference_map::ReferenceMap>(spec.weno, grid, decomposition, halo);
+    return std::make_unique<reference_map::ReferenceMap>(spec, grid, decomposition, halo);
   return std::make_unique<TransportedB>(spec, grid, decomposition, halo);
 }
 

@@ -86,7 +86,7 @@ void strain(benchmark::State& state) {
   grid::TensorField B(p.g, 1);
   grid::Field error(p.g, 1);
   StrainSweep sweep(p.g);
-  Damage damage(p.g);
+  Damage damage({1}, p.g);
   support::NoFollower nobody;
   for (auto _ : state) {
     sweep.run(strain_of(p.displacement, p.g), p.ones.view(), 0,

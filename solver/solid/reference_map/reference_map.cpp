@@ -20,17 +20,17 @@ constexpr int kPlanes = kGhost + 1;
 
 }  // namespace
 
-ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid,
+ReferenceMap::ReferenceMap(const SolidSpec& spec, const Grid& grid,
                            const parallel::Decomposition& decomposition, grid::Halo& halo)
     : grid_(grid),
-      weights_(weights),
+      weights_(spec.weno),
       decomposition_(decomposition),
       halo_(halo),
       speeds_(grid),
       recent_(grid::some_planes(grid, kPlanes)),
       before_(grid, 0),
       volume_error_(grid, 1),
-      damage_(grid),
+      damage_({Real(spec.G)}, grid),
       mending_(grid, kPlanes),
       strain_(grid),
       own_heights_(grid, 1),
@@ -71,7 +71,7 @@ void ReferenceMap::advance(Material& m, const grid::VectorField& velocity, const
     if (k < grid_.nz) {
       const RowsOfAPlane rows{k, first_row};
       find_rates(m.displacement, velocity, relaxation, grid_, weights_, rows, recent_rates(k));
-      mending_.find(damage_, m.displacement, rows);
+      mending_.find(damage_, m.displacement, rows, 2 * stage.alpha * dt);
     }
     if (k >= kGhost) {
       const RowsOfAPlane rows{k - kGhost, first_row};

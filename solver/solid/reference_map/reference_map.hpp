@@ -22,7 +22,7 @@ namespace softwall::solid::reference_map {
 
 class ReferenceMap : public Formulation {
  public:
-  ReferenceMap(WenoWeights weights, const Grid& grid, const parallel::Decomposition& decomposition,
+  ReferenceMap(const SolidSpec& spec, const Grid& grid, const parallel::Decomposition& decomposition,
                grid::Halo& halo);
 
   [[nodiscard]] int lowest_row(const Material& material) override;
@@ -50,7 +50,7 @@ class ReferenceMap : public Formulation {
   [[nodiscard]] double row_height_at(double y) const;
   void fill_beyond_walls(grid::VectorField& displacement, int first_row) const;
   void derive(Material& material, int first_row);
-  [[nodiscard]] std::int64_t find_strain(Material& material, int first_row, PlaneFollower& follower);
+  std::int64_t find_strain(Material& material, int first_row, PlaneFollower& follower);
   void continue_fraction(Material& material, int first_row) const;
 
   const Grid& grid_;

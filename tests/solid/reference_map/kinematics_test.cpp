@@ -82,7 +82,7 @@ TEST_P(Shear, SimpleShearIsExactUpToTheSurface) {
   fluid::fill_ghosts(velocity, {rate_x * g.height, 0}, d.halo);
   const double at_rest = 0.3 * g.y_face[5] + 0.7 * g.y_face[6];
   Material m = layer(g, at_rest);
-  ReferenceMap map(WenoWeights::kZ, g, d.decomposition, d.halo);
+  ReferenceMap map(support::solid_of(1), g, d.decomposition, d.halo);
   carry(map, m, T, 20, [&](double) -> const grid::VectorField& { return velocity; });
   const double a = -rate_x * T, c = -rate_z * T;
   EXPECT_LT(worst_error(m.B.xy, d, 5, g.ny + 1, a), 1e-12);  // on the wall too
@@ -109,7 +109,7 @@ Reversing turn_and_return(Domain& d, const grid::VectorField& unit, int steps, d
   support::ReversingVelocity velocity(unit, d.grid);
   Reversing result;
   Material m = layer(d.grid, at_rest);
-  ReferenceMap map(WenoWeights::kZ, d.grid, d.decomposition, d.halo);
+  ReferenceMap map(support::solid_of(1), d.grid, d.decomposition, d.halo);
   carry(map, m, 0.5, steps / 2, [&](double t) -> const grid::VectorField& { return velocity.at(t); });
   const double deformed = support::worse(worst_error(m.B.xx, d, d.grid.ny / 2, d.grid.ny, 1),
                                          worst_error(m.B.zz, d, d.grid.ny / 2, d.grid.ny, 1));

@@ -109,7 +109,7 @@ TEST(StrainSweep, FindsWhatTheKernelsFindAtEachPlace) {
       grid::Field phi(g, 1), error(g, 1);
       grid::for_each_cell({-1, g.nx + 1, 0, g.ny, -1, g.nz + 1},
                           [&](int i, int j, int k) { phi(i, j, k) = i % 3 == 0 ? 0.5 : 1; });
-      Damage damage(g);
+      Damage damage({1}, g);
       support::NoFollower nobody;
       StrainSweep(g).run(
           strain, std::as_const(phi).view(), first_row,

@@ -6,6 +6,7 @@
 #include "solver/solid/reference_map/strain.hpp"
 #include "tests/support/fields.hpp"
 #include "tests/support/no_follower.hpp"
+#include "tests/support/solid_spec.hpp"
 
 namespace softwall::solid::reference_map {
 namespace {
@@ -27,7 +28,7 @@ std::pair<Volume, Volume> left_alone(Domain& d, const Displacement& displacement
   support::set_by_position(m.displacement.y, g, support::kFaceY,
                            [&](double x, double y, double) { return displacement(x, y); });
   const grid::VectorField still(g, 1);
-  ReferenceMap map(WenoWeights::kZ, g, d.decomposition, d.halo);
+  ReferenceMap map(support::solid_of(1), g, d.decomposition, d.halo);
   const auto look = [&] {
     const Strain strain = strain_of(m.displacement, g);
     Volume volume;
