@@ -79,7 +79,7 @@ StepLimits step_limits(const Physics& physics) {
   return limits;
 }
 
-/// A quarter more than was measured with a build for its processor (solver/README.md).
+/// A quarter more than was measured with a build for its processor (solver/PERFORMANCE.md).
 double default_ns_per_cell_step(const Physics& physics) {
   constexpr double kFluid = 100, kReferenceMap = 160, kTransportedB = 260;
   const auto with_solid = [](const SolidSpec& solid) {
