@@ -49,8 +49,8 @@ template <class Real>
 /// what is explicit of waves that run obliquely.
 inline constexpr double kSpareStiffness = 0.25;
 
-/// The same of what is explicit when the stress between rows is not. A wave of frequency w_y through y, w_a
-/// along the rows and 2 w_y q of B_xy and B_yz is stable while
+/// The stiffness of what stays explicit when the stress between rows is implicit. A wave of frequency w_y
+/// through y, w_a along the rows and 2 w_y q of B_xy and B_yz is stable while
 ///   w_a^2 + 2 w_y q + w_y^2 < 4 / dt^2 + (1 + s) w_y^2,   s = kSpareStiffness,
 /// for every w_y, if w_a^2 + q^2 / s < 4 / dt^2. Of a positive definite B, q^2 is at most twice w_a^2; that
 /// of a torn map (solid/reference_map/mending.hpp) may be anything and must not stop the run.

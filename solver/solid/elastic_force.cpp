@@ -24,7 +24,7 @@ struct StressOfSolid {
   Real yz(int i, int j, int k) const { return law.shear_stress(Byz(i, j, k)); }
 };
 
-/// The same anywhere.
+/// Stress components anywhere: the solid's, times its share.
 struct Stress {
   static constexpr bool kAcrossRowsOnly = false;
   StressOfSolid solid;

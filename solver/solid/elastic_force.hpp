@@ -23,8 +23,9 @@ class ElasticForce {
   /// cells of `material` and its planes k - 1 and k + 1.
   void find(const Material& material, int first_row, int k);
 
-  /// The same at the end of a step's first substep, t + 8/15 dt; and the force kept, that at its beginning,
-  /// becomes that of the middle of the step, between them in time.
+  /// To be called at the end of a step's first substep, at t + 8/15 dt. Finds the present force; and the
+  /// force kept, that of the beginning of the step, becomes that of its middle, which lies between the two in
+  /// time.
   void find_middle(const Material& material, int first_row, int k);
 
   [[nodiscard]] const grid::VectorField& now() const { return now_; }

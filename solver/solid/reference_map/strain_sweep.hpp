@@ -34,13 +34,13 @@ class StrainSweep {
 
  private:
   using Row = parallel::LineVector<Real>;
-  /// Of a row of cells, means over x to the planes of xy edges and over z to those of yz edges.
+  /// Means of a row of cells: over x to the planes of xy edges, and over z to those of yz edges.
   struct CellRow {
     struct Means {
       Row xx, yy, zz, xz, zx;
     } to_xy, to_yz;
   };
-  /// Of a row of y faces, half the means over x and z to centers and to xz edges.
+  /// Half the means of a row of y faces over x and z, to centers and to xz edges.
   struct FaceRow {
     struct Halves {
       Row xy, yx, yz, zy;

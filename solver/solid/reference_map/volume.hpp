@@ -40,7 +40,7 @@ class RelaxationSpeeds {
   [[nodiscard]] Real z() const { return z_; }
   /// Across y face j: element j.
   [[nodiscard]] const Real* y() const { return y_.data(); }
-  /// Of the layer's even stretching, at y face j: element j.
+  /// Speed of the even stretching of the layer at y face j: element j.
   [[nodiscard]] const Real* even() const { return even_.data(); }
 
  private:

@@ -48,7 +48,7 @@ class ColumnHeights {
 
  private:
   static constexpr int kStrips = 4;
-  /// Of the surface over one line of columns.
+  /// Between which heights the surface lies over the columns of one z.
   struct Range {
     Real lowest, highest;
   };

@@ -26,7 +26,7 @@ class NormalExtension {
 
   /// Replaces the shear components. Ghost cells of phi and of these must be filled, and are afterwards.
   void extend_shear(Material& material, double threshold);
-  /// The same for the normal components.
+  /// Extends the normal components in the same way.
   void extend_normal(Material& material, double threshold);
 
  private:

@@ -17,9 +17,9 @@ namespace softwall::solid {
 /// below `threshold` or any place above it is, by the value in the row above.
 void extend_shear(Material& material, Real threshold, const Grid& grid, const grid::Box& box);
 
-/// The same for the normal components; each row is kept positive definite (limiter.hpp) before the next one
-/// below takes its values, so that doing it again changes no bit. Shear ghost cells must be filled. Returns
-/// the number of cells limited here.
+/// Extends the normal components in the same way; each row is kept positive definite (limiter.hpp) before the
+/// next one below takes its values, so that doing it again changes no bit. Shear ghost cells must be filled.
+/// Returns the number of cells limited here.
 std::int64_t extend_normal(Material& material, Real threshold, double floor, const Grid& grid,
                            const grid::Box& box);
 

@@ -145,7 +145,7 @@ void TransportedB::make_consistent(Material& m, int first_row) {
   }
 }
 
-/// Of a layer: ghost cells, skin, positive definiteness; each needs the one before it.
+/// A layer needs its ghost cells, its skin and positive definiteness, each of which needs the one before.
 void TransportedB::line(Material& m, int first_row) {
   const grid::RowSpan span{std::max(-Material::kGhost, first_row - Material::kGhost),
                            grid_.ny + Material::kGhost};
@@ -174,9 +174,9 @@ void TransportedB::follow_surface(Material& m, int first_row) {
   while (m.all_solid_from < grid_.ny && !all_solid(m.all_solid_from)) ++m.all_solid_from;
 }
 
-/// The same for a body of any shape: B is made positive definite in the solid before its surroundings take
-/// it, and then there (means of positive definite tensors are, but shear and normal components live in
-/// different places).
+/// A body of any shape needs them in another order: B is made positive definite in the solid before its
+/// surroundings take it, and then there (means of positive definite tensors are, but shear and normal
+/// components live in different places).
 void TransportedB::surround(Material& m) {
   constexpr int first_row = 0;
   const auto all = grid::all_cells(grid_);
