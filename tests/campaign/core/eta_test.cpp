@@ -1,0 +1,82 @@
+#include "campaign/core/eta.hpp"
+
+#include <gtest/gtest.h>
+
+#include "campaign/core/estimate.hpp"
+#include "tests/campaign/core/examples.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+class Eta : public ::testing::Test {
+ protected:
+  Eta() {
+    for (const CampaignCase& one : campaign_.cases) seen_.emplace_back().case_id = one.definition.id;
+  }
+
+  [[nodiscard]] double left(int cores) const { return remaining_seconds(campaign_, seen_, working_, cores); }
+
+  /// By the default speed, on the ranks of the case.
+  [[nodiscard]] double seconds_of(std::size_t i, double reached = 0) const {
+    const Case& c = campaign_.cases[i].definition;
+    return estimate(c, default_ns_per_cell_step(c.physics), reached).core_hours * 3600 /
+           campaign_.cases[i].ranks;
+  }
+
+  Campaign campaign_ = tests::campaign_of(tests::elastic_campaign());  // a precursor and four elastic cases
+  std::vector<Observation> seen_;
+  std::map<std::string, Status> working_;
+};
+
+TEST_F(Eta, OfANewCampaignIsThePrecursorAndThenTheRestSideBySide) {
+  double elastic = 0;
+  for (std::size_t i = 1; i < 5; ++i) elastic += seconds_of(i);
+  EXPECT_NEAR(left(1), seconds_of(0) + elastic, 1e-6 * elastic);
+  EXPECT_NEAR(left(2), seconds_of(0) + elastic / 2, 1e-6 * elastic);
+}
+
+TEST_F(Eta, IsNeverLessThanTheLongestCase) {
+  double longest = 0;
+  for (std::size_t i = 1; i < 5; ++i) longest = std::max(longest, seconds_of(i));
+  EXPECT_NEAR(left(1000), seconds_of(0) + longest, 1e-6 * longest);
+}
+
+TEST_F(Eta, CountsNothingForWhatIsFinishedDivergedOrRefused) {
+  seen_[0].state = CaseState::kFinished;
+  seen_[1].state = CaseState::kDiverged;
+  seen_[2].retry_allowed = false;
+  seen_[3].state = CaseState::kFinished;
+  EXPECT_NEAR(left(1), seconds_of(4), 1e-6);
+  seen_[4].state = CaseState::kFinished;
+  EXPECT_EQ(left(1), 0);
+}
+
+TEST_F(Eta, CountsFromWhereACaseHasGotTo) {
+  for (std::size_t i = 0; i < 4; ++i) seen_[i].state = CaseState::kFinished;
+  seen_[4].time = 25;  // of 50
+  EXPECT_NEAR(left(1), seconds_of(4) / 2, 0.01 * seconds_of(4));
+}
+
+TEST_F(Eta, BelievesARunningSolver) {
+  for (std::size_t i = 0; i < 4; ++i) seen_[i].state = CaseState::kFinished;
+  Status status;
+  status.time = 40;
+  status.dt = 0.1;
+  status.seconds_per_step = 2;
+  working_[seen_[4].case_id] = status;
+  EXPECT_NEAR(left(1), (50 - 40) / 0.1 * 2, 1e-6);
+}
+
+TEST_F(Eta, LearnsTheSpeedFromCasesOfTheSameKind) {
+  const GridSpec& grid = campaign_.cases[1].definition.physics.grid;
+  const double cells = double(grid.nx) * grid.ny() * grid.nz;
+  seen_[1].seconds_per_step = 1e-6 * cells;  // 1000 ns a cell on one rank
+  const auto speed = [&](std::size_t i) {
+    return measured_ns_per_cell_step(campaign_, seen_, campaign_.cases[i].definition.physics);
+  };
+  EXPECT_NEAR(speed(4), 1000 * campaign_.cases[1].ranks, 1e-6);
+  EXPECT_EQ(speed(0), default_ns_per_cell_step(campaign_.cases[0].definition.physics));
+}
+
+}  // namespace
+}  // namespace softwall::campaign
