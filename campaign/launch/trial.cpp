@@ -17,7 +17,7 @@
 namespace softwall::campaign {
 namespace {
 
-constexpr double kLongestSeconds = 60.0;
+constexpr double kLongestTrialSeconds = 60.0;
 constexpr std::size_t kLongestText = 1000;
 
 /// A run directory for the moment.
@@ -55,7 +55,7 @@ std::string words_in(const std::filesystem::path& log) {
 
 std::string try_in(const RunFiles& run, Launcher& launcher, int ranks) {
   static_cast<void>(launcher.start({"trial", run.directory, 0, ranks, std::nullopt}));
-  const double end = monotonic_seconds() + kLongestSeconds;
+  const double end = monotonic_seconds() + kLongestTrialSeconds;
   std::vector<EndedAttempt> ended;
   while (ended.empty() && monotonic_seconds() < end) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

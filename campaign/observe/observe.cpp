@@ -128,7 +128,7 @@ Meaning meaning_of(int exit_code) {
   }
 }
 
-AttemptOutcome outcome_of(const Summary& summary, const CampaignCase& campaign_case) {
+AttemptOutcome outcome_in(const Summary& summary, const CampaignCase& campaign_case) {
   if (is_finished(summary, campaign_case)) return AttemptOutcome::kFinished;
   if (summary.outcome == "interrupted" || summary.outcome == "finished") return AttemptOutcome::kInterrupted;
   if (summary.outcome == "diverged") return AttemptOutcome::kDiverged;
@@ -137,7 +137,7 @@ AttemptOutcome outcome_of(const Summary& summary, const CampaignCase& campaign_c
 
 AttemptEnd end_from_summary(const Summary& summary, const CampaignCase& campaign_case) {
   AttemptEnd end;
-  end.outcome = outcome_of(summary, campaign_case);
+  end.outcome = outcome_in(summary, campaign_case);
   end.reason = summary.reason;
   end.exit_code = summary.exit_code;
   end.step = summary.step;

@@ -12,8 +12,8 @@ namespace {
 
 using nlohmann::json;
 
-std::string complaint(const std::string& text) {
-  return tests::complaint([&] { return parse_json(text, "text"); });
+std::string complaint_about_text(const std::string& text) {
+  return tests::complaint_about_text([&] { return parse_json(text, "text"); });
 }
 
 TEST(JsonText, ReadsWhatIsJson) {
@@ -38,11 +38,12 @@ TEST(JsonText, OneRepresentationPerNumber) {
 }
 
 TEST(JsonText, SaysWhere) {
-  EXPECT_NE(complaint("{\"a\": 1,\n \"b\": nul}").find("line 2, column 10"), std::string::npos)
-      << complaint("{\"a\": 1,\n \"b\": nul}");
-  EXPECT_NE(complaint("{\"a\":\n\n  1e999}").find("line 3, column 7"), std::string::npos)
-      << complaint("{\"a\":\n\n  1e999}");
-  EXPECT_NE(complaint("{\"a\": [{\"b\": 1, \"b\": 2}]}").find("/a/0/b: key given twice"), std::string::npos);
+  EXPECT_NE(complaint_about_text("{\"a\": 1,\n \"b\": nul}").find("line 2, column 10"), std::string::npos)
+      << complaint_about_text("{\"a\": 1,\n \"b\": nul}");
+  EXPECT_NE(complaint_about_text("{\"a\":\n\n  1e999}").find("line 3, column 7"), std::string::npos)
+      << complaint_about_text("{\"a\":\n\n  1e999}");
+  EXPECT_NE(complaint_about_text("{\"a\": [{\"b\": 1, \"b\": 2}]}").find("/a/0/b: key given twice"),
+            std::string::npos);
 }
 
 TEST(JsonText, RefusesEverythingElse) {
@@ -91,7 +92,7 @@ TEST(JsonText, RefusesEverythingElse) {
                                      "[-1e999]",
                                      "{\"a\": 1, \"a\": 1}"};
   for (const auto& text : bad) {
-    const std::string message = complaint(text);
+    const std::string message = complaint_about_text(text);
     EXPECT_FALSE(message.empty()) << "accepted: " << text;
     EXPECT_EQ(message.find("json.exception"), std::string::npos) << message;
     EXPECT_LT(message.size(), 400U) << message;
@@ -100,18 +101,19 @@ TEST(JsonText, RefusesEverythingElse) {
 
 TEST(JsonText, LimitsDepthAndSize) {
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
-  EXPECT_EQ(complaint(nested(kJsonDepthLimit)), "");
-  EXPECT_NE(complaint(nested(kJsonDepthLimit + 1)).find("nested deeper"), std::string::npos);
-  EXPECT_NE(complaint(std::string(1000000, '[')).find("nested deeper"), std::string::npos);
+  EXPECT_EQ(complaint_about_text(nested(kJsonDepthLimit)), "");
+  EXPECT_NE(complaint_about_text(nested(kJsonDepthLimit + 1)).find("nested deeper"), std::string::npos);
+  EXPECT_NE(complaint_about_text(std::string(1000000, '[')).find("nested deeper"), std::string::npos);
   std::string objects;
   for (int i = 0; i < 100000; ++i) objects += "{\"a\":";
-  EXPECT_NE(complaint(objects).find("nested deeper"), std::string::npos);
+  EXPECT_NE(complaint_about_text(objects).find("nested deeper"), std::string::npos);
   std::string many = "[0";
   for (std::size_t i = 0; i < kJsonValueLimit; ++i) many += ",0";
-  EXPECT_NE(complaint(many + "]").find("values"), std::string::npos);
-  EXPECT_NE(complaint("[\"" + std::string(1000000, 'x') + "\n\"]").find("line 1"), std::string::npos);
-  EXPECT_LT(complaint("[\"" + std::string(1000000, 'x') + "\n\"]").size(), 1000U);
-  EXPECT_NE(complaint("[1" + std::string(1000000, '0') + "]").find("overflow"), std::string::npos);
+  EXPECT_NE(complaint_about_text(many + "]").find("values"), std::string::npos);
+  EXPECT_NE(complaint_about_text("[\"" + std::string(1000000, 'x') + "\n\"]").find("line 1"),
+            std::string::npos);
+  EXPECT_LT(complaint_about_text("[\"" + std::string(1000000, 'x') + "\n\"]").size(), 1000U);
+  EXPECT_NE(complaint_about_text("[1" + std::string(1000000, '0') + "]").find("overflow"), std::string::npos);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solver/output/checkpoint_writer.hpp"
+#include "solver/time/initial.hpp"
 #include "tests/support/fields.hpp"
 #include "tests/support/physics.hpp"
 
@@ -13,7 +14,7 @@ inline constexpr const char* kCaseId = "0123456789abcdef";
 
 /// A state whose every number is different and known from its indices alone.
 inline time::State numbered_state(const time::Setup& setup, std::int64_t step) {
-  time::State state = time::state_at_rest(setup.grid, setup.solid.has_value());
+  time::State state = time::state_at_rest(setup);
   int seed = 1;
   for (const time::NamedField& f : time::fields_of(state)) {
     ++seed;

@@ -59,7 +59,7 @@ inline double noise(const grid::Grid& g, int i, int j, int k, int component) {
 /// Velocity, pressure and, with an elastic wall, phi and B without any symmetry or smoothness.
 inline time::State rough_state(time::Setup& setup) {
   const auto& g = setup.grid;
-  auto s = time::state_at_rest(g, setup.solid.has_value());
+  auto s = time::state_at_rest(setup);
   for_columns(g, 0, g.ny, [&](int i, int j, int k, double, double) {
     s.velocity.x(i, j, k) = 1 + noise(g, i, j, k, 0);
     s.velocity.y(i, j, k) = noise(g, i, j, k, 1);

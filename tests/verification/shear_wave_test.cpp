@@ -139,7 +139,7 @@ double error_of_antiplane_wave(SolidFormulation formulation, int m, int n, int s
 TEST_P(ShearWave, IsSecondOrderInTimeAsFarAsFourTimesTheExplicitLimit) {
   const step_limits::InverseSpacings<double> inv{12 / 6.0, 24 / 2.0, 1};
   const double limit =
-      step_limits::elastic(Stiffness::kExplicit, kG,
+      step_limits::elastic(Stiffness::kExplicit, {kG},
                            step_limits::stiffness(step_limits::Deformation<double>{1, 1, 1, 0, 0, 0}, inv));
   const int most = static_cast<int>(1.3 / (4 * limit));  // steps a little longer than four times the limit
   for (const auto& [m, n] : {std::pair{2, 2}, std::pair{3, 1}}) {

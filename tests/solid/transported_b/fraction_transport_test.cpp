@@ -159,13 +159,13 @@ TEST_P(Stretching, NothingCrossesTheLowFaceOfTheFirstRow) {
                         [](int i, int j, int k) { return (1 + support::noise(1, i, j, k)) / 2; });
   const auto before = carried.values();
   const double volume = carried.volume();
-  constexpr int kFirstRow = 5;
-  for (int n = 0; n < 3; ++n) carried.step(velocity, time_of_a_cell(velocity, carried.d), kFirstRow);
+  constexpr int kLowestRow = 5;
+  for (int n = 0; n < 3; ++n) carried.step(velocity, time_of_a_cell(velocity, carried.d), kLowestRow);
   EXPECT_NEAR(carried.volume(), volume, support::round_off(50) * volume);
   const auto& g = carried.d.grid;
   const auto after = carried.values();
   for (int k = 0; k < g.nz_global; ++k) {
-    for (int n = 0; n < kFirstRow * g.nx_global; ++n) {
+    for (int n = 0; n < kLowestRow * g.nx_global; ++n) {
       const auto place = static_cast<std::size_t>(k * g.ny * g.nx_global + n);
       ASSERT_EQ(after[place], before[place]);
     }

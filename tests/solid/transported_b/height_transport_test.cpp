@@ -170,11 +170,11 @@ TEST_P(LayerUnderAHeight, NothingCrossesTheLowFaceOfTheFirstRow) {
   layer.begin([](double x, double z) { return 1.3 + (wavy(x, z) - 1.2) / 4; });
   const double before = layer.volume();
   const auto velocity = support::random_solenoidal_velocity(layer.d, 7);
-  constexpr int kFirstRow = 4;
-  for (int n = 0; n < 3; ++n) layer.step(velocity, 0.002, kFirstRow);
+  constexpr int kLowestRow = 4;
+  for (int n = 0; n < 3; ++n) layer.step(velocity, 0.002, kLowestRow);
   EXPECT_NEAR(layer.volume(), before, support::round_off(50) * before);
   const auto& g = layer.d.grid;
-  const double below = grid::max_cells(grid::rows(g, 0, kFirstRow), 0.0, layer.phi.view());
+  const double below = grid::max_cells(grid::rows(g, 0, kLowestRow), 0.0, layer.phi.view());
   EXPECT_EQ(below, 0);
 }
 
