@@ -41,8 +41,9 @@ void put(const Point& point, json& physics) {
 
 class Expansion {
  public:
-  explicit Expansion(const CampaignSpec& spec)
+  Expansion(const CampaignSpec& spec, const ExistingCases& existing)
       : spec_(spec),
+        existing_(existing),
         points_(sweep_points(spec.sweep)),
         swept_(swept_pointers(points_)),
         exclusions_(spec.sweep.at("exclude")) {}
@@ -119,8 +120,10 @@ class Expansion {
     };
     if (auto found = case_mistakes(document); !found.empty()) return refuse(std::move(found));
     document = with_defaults(std::move(document));
-    if (auto never = never_sampled(document)) return refuse({*never});
     CampaignCase made;
+    made.window_start = document.at("physics").at("statistics").at("start_time");
+    sample_for_any_window(document.at("physics"));
+    if (auto never = never_sampled(document, made.window_start)) return refuse({*never});
     made.definition = valid_case(document);
     made.is_precursor = is_precursor;
     made.precursor_id = precursor_id;
@@ -134,6 +137,13 @@ class Expansion {
       note_merged(to.values[known->second], values);
     }
     return id;
+  }
+
+  /// What a case samples does not depend on the averaging window that is wanted of it now.
+  void sample_for_any_window(json& physics) const {
+    const StatisticsSpec sampled = existing_.statistics_for(physics);
+    physics["statistics"]["start_time"] = sampled.start_time;
+    physics["statistics"]["block_length"] = sampled.block_length;
   }
 
   /// Two points of the sweep are one case although they differ: what they differ in has no effect.
@@ -180,10 +190,14 @@ class Expansion {
       if (!first.empty()) label = first + (label.empty() ? "" : "_" + label);
       if (label.empty()) label = to_json(made.list[c].definition).at("physics").at("flow");
       made.list[c].definition.label = label;
+      nlohmann::ordered_json varied = nlohmann::ordered_json::object();
+      for (const auto& [parameter, value] : parameters) varied[parameter] = value;
+      made.list[c].varied = varied.dump();
     }
   }
 
   const CampaignSpec& spec_;
+  const ExistingCases& existing_;
   std::vector<Point> points_;
   std::vector<std::string> swept_;
   ExclusionUse exclusions_;
@@ -194,6 +208,8 @@ class Expansion {
 
 }  // namespace
 
-Campaign expand(const CampaignSpec& spec) { return Expansion(spec).run(); }
+Campaign expand(const CampaignSpec& spec, const ExistingCases& existing) {
+  return Expansion(spec, existing).run();
+}
 
 }  // namespace softwall::campaign
