@@ -206,9 +206,12 @@ void Runner::record_end(const EndedAttempt& ended) {
     end.outcome = AttemptOutcome::kFailed;  // a limit too short for a single step would be retried for ever
     end.reason = "interrupted before its first step (" + end.reason + ")";
   }
+  Transaction together(
+      store_.connection());  // durable at once; what a crash leaves out is found in the files
   store_.end_attempt(ended.case_id, watch.attempt, end);
   keep_history(one);
   record_state(one, end);
+  together.commit();
 }
 
 /// The state of a case after an attempt, in the store and for the plan; what a person should know about it.
