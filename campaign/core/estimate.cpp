@@ -54,7 +54,7 @@ double elastic_limit(const Spacing& d, const SolidSpec& solid) {
   const step_limits::Deformation<double> B{most, most, most, 0, 0, 0};
   const step_limits::InverseSpacings<double> inv{1 / d.x, 1 / d.y, 1 / d.z};
   return step_limits::elastic(
-      solid.stiffness, solid.G,
+      solid.stiffness, {solid.G},
       solid.stiffness == Stiffness::kImplicit ? stiffness_along_rows(B, inv) : stiffness(B, inv));
 }
 
@@ -79,7 +79,7 @@ StepLimits step_limits(const Physics& physics) {
   return limits;
 }
 
-/// A quarter more than was measured with a build for its processor (solver/README.md).
+/// A quarter more than was measured with a build for its processor (solver/PERFORMANCE.md).
 double default_ns_per_cell_step(const Physics& physics) {
   constexpr double kFluid = 100, kReferenceMap = 160, kTransportedB = 260;
   const auto with_solid = [](const SolidSpec& solid) {

@@ -16,7 +16,8 @@ enum class Durability {
 void write_atomically(const std::filesystem::path& file, std::string_view contents,
                       Durability durability = Durability::kSynced);
 
-/// The same for a file that must not exist yet: false, and nothing changed, when the name is taken.
+/// Writes a file that must not exist yet, as write_atomically() does. Returns false, and changes nothing,
+/// when the name is taken.
 [[nodiscard]] bool write_new_atomically(const std::filesystem::path& file, std::string_view contents);
 
 /// The second half of the same protocol, for a file some library wrote: fsync `temporary`, rename it to

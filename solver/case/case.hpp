@@ -50,17 +50,18 @@ struct DiscSpec {
   double slot_width = 0.0, slot_depth = 0.0;
 };
 
+/// Without defaults: whoever makes one says all of it.
 struct SolidSpec {
-  double G = 0.0;                ///< modulus of transverse elasticity / (rho U_b^2)
-  double viscosity_ratio = 1.0;  ///< mu_s / mu_f
-  SolidFormulation formulation = SolidFormulation::kTransportedB;
-  WenoWeights weno = WenoWeights::kJiangShu;
-  InterfaceTransport interface = InterfaceTransport::kWeno;
-  double threshold = 0.0;       ///< cells with phi below it take B from the solid, as `extension` says
-  double min_eigenvalue = 0.0;  ///< B is kept >= this in every cell
-  Extension extension = Extension::kColumn;
-  Stiffness stiffness = Stiffness::kExplicit;   ///< how the stress across thin rows enters the time step
-  std::optional<DiscSpec> disc = std::nullopt;  ///< initial shape in a closed box; absent: the layer on y > 2
+  double G;                ///< modulus of transverse elasticity / (rho U_b^2)
+  double viscosity_ratio;  ///< mu_s / mu_f
+  SolidFormulation formulation;
+  WenoWeights weno;
+  InterfaceTransport interface;
+  double threshold;       ///< cells with phi below it take B from the solid, as `extension` says
+  double min_eigenvalue;  ///< B is kept >= this in every cell
+  Extension extension;
+  Stiffness stiffness;           ///< how the stress across thin rows enters the time step
+  std::optional<DiscSpec> disc;  ///< initial shape in a closed box; absent: the layer on y > 2
 };
 
 /// The mode of linear theory (interface_mode.hpp) that an interface wave starts as.

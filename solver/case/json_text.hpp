@@ -24,7 +24,7 @@ inline constexpr std::size_t kJsonValueLimit = 200000;
 /// std::invalid_argument for a number that is not finite.
 [[nodiscard]] nlohmann::json normalised_number(double value);
 
-/// The same, for every number inside.
+/// Normalises every number inside a value in this way.
 [[nodiscard]] nlohmann::json normalised(nlohmann::json value);
 
 }  // namespace softwall

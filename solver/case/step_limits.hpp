@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "solver/case/case.hpp"
+#include "solver/case/elastic_law.hpp"
 
 /// Largest stable time steps of the scheme, as pure functions of rates and stiffnesses: the solver evaluates
 /// them for its state, the manager for what it expects of a case.
@@ -35,7 +36,8 @@ struct InverseSpacings {
   Real dx, dy, dz;
 };
 
-/// sum_ij |B_ij| / (d_i d_j): G times it is omega^2 / 4 of the stiffest two-cell wave of a cell.
+/// sum_ij |B_ij| / (d_i d_j): the law's stiffness of it is omega^2 / 4 of the stiffest two-cell wave of a
+/// cell.
 template <class Real>
 [[nodiscard]] inline Real stiffness(const Deformation<Real>& B, const InverseSpacings<Real>& inv) {
   return B.xx * inv.dx * inv.dx + B.yy * inv.dy * inv.dy + B.zz * inv.dz * inv.dz +
@@ -47,8 +49,8 @@ template <class Real>
 /// what is explicit of waves that run obliquely.
 inline constexpr double kSpareStiffness = 0.25;
 
-/// The same of what is explicit when the stress between rows is not. A wave of frequency w_y through y, w_a
-/// along the rows and 2 w_y q of B_xy and B_yz is stable while
+/// The stiffness of what stays explicit when the stress between rows is implicit. A wave of frequency w_y
+/// through y, w_a along the rows and 2 w_y q of B_xy and B_yz is stable while
 ///   w_a^2 + 2 w_y q + w_y^2 < 4 / dt^2 + (1 + s) w_y^2,   s = kSpareStiffness,
 /// for every w_y, if w_a^2 + q^2 / s < 4 / dt^2. Of a positive definite B, q^2 is at most twice w_a^2; that
 /// of a torn map (solid/reference_map/mending.hpp) may be anything and must not stop the run.
@@ -63,9 +65,9 @@ template <class Real>
 /// stiffest: the largest stiffness of a cell, of the kind that the integration leaves explicit. Explicit
 /// waves grow visibly beyond omega dt = 0.86. With one elastic force a step, that of its middle, they are
 /// neutral as far as 2; the advection of the displacement takes some of that.
-[[nodiscard]] inline double elastic(Stiffness integration, double G, double stiffest) {
+[[nodiscard]] inline double elastic(Stiffness integration, const ElasticLaw<double>& law, double stiffest) {
   constexpr double kExplicit = 0.86, kImplicit = 1.7;
-  const double omega = 2 * std::sqrt(G * stiffest);
+  const double omega = 2 * std::sqrt(law.stiffness(stiffest));
   if (!(omega > 0)) return std::numeric_limits<double>::infinity();
   return (integration == Stiffness::kImplicit ? kImplicit : kExplicit) / omega;
 }

@@ -23,7 +23,7 @@ inline constexpr double kLeastSpacingRatio = 0.25;
 /// exact.
 [[nodiscard]] std::vector<double> wall_normal_faces(const GridSpec& grid, double layer_height);
 
-/// The same of any case: of a channel as above, of a closed box uniform from 0 to its height.
+/// The faces of any case: those above for a channel, uniform ones from 0 to the height of a closed box.
 [[nodiscard]] std::vector<double> wall_normal_faces(const Physics& physics);
 
 /// The growth r > 0 for which `cells` spacings, the first r * last_fluid_spacing, sum to layer_height.

@@ -12,7 +12,7 @@ namespace {
 
 int solid_row(const SolidInput& solid, const Grid& g) { return solid.fraction ? solid.first_row : g.ny; }
 
-/// Of the fluid, over dx dz.
+/// Flow rate and volume of the fluid, over dx dz.
 struct Flow {
   double flow = 0, volume = 0;
 };

@@ -16,7 +16,7 @@ class Predictor {
   Predictor(const Grid& grid, double viscosity);
 
   /// Replaces `velocity` by u*. Ghost cells are read from the old velocity and not filled in the new one,
-  /// save that the wall-normal component is 0 on the walls.
+  /// except that the wall-normal component is 0 on the walls.
   void advance(grid::VectorField& velocity, const grid::Field& pressure, const SolidInput& solid,
                const Stage& stage, double dt);
 

@@ -10,12 +10,12 @@ namespace softwall::fluid {
 
 /// Largest |u|/dx + |v|/dy + |w|/dz of this rank's cells, U_b / h; infinite when a velocity is not a number.
 [[nodiscard]] double convection_rate_here(const grid::VectorField& velocity, const Grid& grid);
-/// Of all ranks' cells.
+/// The largest over the cells of all ranks.
 [[nodiscard]] double convection_rate(const grid::VectorField& velocity, const Grid& grid,
                                      const parallel::Decomposition& decomposition);
 
-/// The same limit for the fluid that a moving wall will set in motion, sqrt(3) dx / |u_wall|: a flow at rest
-/// has no other. Infinite when the walls are at rest.
+/// The convection limit of the fluid that a moving wall will set in motion, sqrt(3) dx / |u_wall|: a flow at
+/// rest has no other. Infinite when the walls are at rest.
 [[nodiscard]] double moving_wall_limit(const Walls& walls, const Grid& grid);
 
 /// 2.51 / (4 nu_max (1/dx^2 + 1/dy^2 + 1/dz^2)), the smallest over the rows; the solid's viscosity counts

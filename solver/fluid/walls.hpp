@@ -22,7 +22,7 @@ struct Walls {
 /// Fills every ghost cell of a velocity: periodic neighbours, the normal component 0 on the walls (those at
 /// low x are cells of the grid, u(0, j, k), those at high x ghost cells), the others mirrored about them.
 void fill_ghosts(grid::VectorField& velocity, const Walls& walls, grid::Halo& halo);
-/// The same where the ghost cells in x of rows between the walls have been filled already.
+/// Fills the remaining ones where the ghost cells in x of rows between the walls have been filled already.
 void fill_other_ghosts(grid::VectorField& velocity, const Walls& walls, grid::Halo& halo);
 
 /// Fills the ghost cells of a center field: periodic neighbours, zero gradient at the walls.

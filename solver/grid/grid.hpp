@@ -40,7 +40,7 @@ class RowArray {
   }
   /// Address of row 0, for kernels that combine rows with fields.
   [[nodiscard]] const Real* data() const { return rounded_.data() + kGhost; }
-  /// The same in double precision, for sums.
+  /// The numbers in double precision, for sums.
   [[nodiscard]] const double* exact() const { return values_.data() + kGhost; }
 
  private:
@@ -71,7 +71,7 @@ struct Grid {
 /// The part of a case's grid that belongs to this rank.
 [[nodiscard]] Grid make_grid(const Physics& physics, const parallel::Decomposition& decomposition);
 
-/// The same for any box and any faces (tests, other flows). faces: ny + 1 heights.
+/// A grid in a box of any size with any faces (tests, other flows). faces: ny + 1 heights.
 [[nodiscard]] Grid make_grid(int nx, int nz, double length_x, double length_z,
                              const std::vector<double>& faces, const parallel::Decomposition& decomposition);
 

@@ -42,7 +42,7 @@ class Halo {
     fill_in_x(fields, rows);
     fill_in_z(fields, rows);
   }
-  /// The same in all rows, those beyond the walls included; the fields have equally many ghost layers.
+  /// Fills them in all rows, those beyond the walls included; the fields have equally many ghost layers.
   void fill(std::initializer_list<Field*> fields);
   /// The two halves. In z the ghost layers in x travel too: they are right before.
   void fill_in_x(std::initializer_list<Field*> fields, RowSpan rows);

@@ -17,7 +17,7 @@ inline constexpr std::array<Stage, 3> kRungeKutta3{{
     {1.0 / 6.0, 3.0 / 4.0, -5.0 / 12.0},
 }};
 
-/// Of the three substeps of a step.
+/// Whether a substep is the first, or the last, of the three of a step.
 [[nodiscard]] constexpr bool is_first(const Stage& stage) { return stage.gamma == 0; }
 [[nodiscard]] constexpr bool is_last(const Stage& stage) { return stage.alpha == kRungeKutta3.back().alpha; }
 

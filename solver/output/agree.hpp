@@ -22,7 +22,7 @@ struct AgreedError : std::runtime_error {
 /// such rank; `code` is used unless that rank threw an AgreedError itself, or an error of the disk (75).
 void agree(const parallel::Communicator& all, ExitCode code, const std::function<void()>& work);
 
-/// The same for what rank 0 does alone.
+/// Runs on rank 0 alone what all ranks must know the outcome of.
 void agree_on_root(const parallel::Communicator& all, ExitCode code, const std::function<void()>& work);
 
 /// Rank 0's text, on every rank.

@@ -13,7 +13,7 @@ inline constexpr std::size_t kLineBytes = 64;
 
 /// Uninitialised; throws std::bad_alloc. To be freed with std::free.
 [[nodiscard]] void* allocate_lines(std::size_t bytes);
-/// The same of zeros, beginning anywhere; large pieces cost only what is touched of them.
+/// Allocates zeros that may begin anywhere; a large piece costs only what is touched of it.
 [[nodiscard]] void* allocate_untouched(std::size_t bytes);
 void free_lines(void* memory) noexcept;
 

@@ -56,7 +56,7 @@ class PieceExchange {
   }
 
  private:
-  /// All pieces of one side. Each begins a line of the cache, lest two ranks write to one.
+  /// All pieces of one side. Each begins a line of the cache, so that no two ranks write to the same line.
   struct Side {
     Side(const Lengths& lengths, std::size_t own) : pieces(lengths.size()) {
       for (std::size_t r = 0; r < lengths.size(); ++r) {

@@ -25,7 +25,7 @@ inline constexpr std::array<const char*, kPhases> kPhaseNames{
     "other", "transport",     "momentum",  "poisson",    "correction",
     "halo",  "transposition", "time_step", "statistics", "output"};
 
-/// Of one phase since the last reset.
+/// What one phase has cost since the last reset.
 struct PhaseRecord {
   double seconds = 0;            ///< by the clock on the wall, without the phases inside it
   double processor_seconds = 0;  ///< of this rank's processor; only counted when asked for

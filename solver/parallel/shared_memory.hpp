@@ -35,12 +35,14 @@ class Mapping {
   std::size_t bytes_;
 };
 
-/// Collective: the memory of every rank of `line`, in their order; of this one's there are `bytes`, with
-/// anything in them. Nothing, on every rank, where one of them cannot reach the memory of another (another
-/// machine, a container of its own) or has none left. It has no name that could outlive a killed run.
+/// Collective. Allocates `bytes` (uninitialised) on this rank and returns a mapping of the allocation of
+/// every rank of `line`, in rank order. Returns nothing, on every rank, where one of them cannot reach the
+/// memory of another (on another machine, in a container of its own) or has none left. The memory has no name
+/// that could outlive a killed run.
 [[nodiscard]] std::optional<std::vector<Mapping>> share_memory(const Communicator& line, std::size_t bytes);
 
-/// Collective: what each rank of `line` has written to shared memory before, every one reads after.
+/// Collective. What each rank of `line` has written to shared memory before this call, all of them read after
+/// it.
 void meet(const Communicator& line);
 
 }  // namespace softwall::parallel

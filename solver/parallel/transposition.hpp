@@ -64,13 +64,13 @@ class Transposition {
   static constexpr int kRowsAhead = 2;
 
   [[nodiscard]] Range own_z() const { return z_[rank_]; }
-  /// Distance between the modes of a piece that is `z` long: an odd number of lines, lest all of them share
-  /// one place of the cache.
+  /// Distance between the modes of a piece that is `z` long: an odd number of lines, so that the modes do
+  /// not all fall on one place of the cache.
   [[nodiscard]] std::ptrdiff_t mode_length(int z) const {
     const int values = whole_lines<T>(rows_ * z);
     return values / kPlanes % 2 == 0 ? values + kPlanes : values;
   }
-  /// Of the pieces for every share of the modes, or of z, the other being one share.
+  /// Volumes of the pieces for every share of the modes, or of z, the other being one share.
   [[nodiscard]] std::vector<std::size_t> volumes(const std::vector<Range>& modes,
                                                  const std::vector<Range>& z) const {
     std::vector<std::size_t> all;

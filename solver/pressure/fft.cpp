@@ -36,7 +36,7 @@ void part_rows(const Real* z, Real* a, Real* b, int n) {
   }
 }
 
-/// Of z^ to a^ and b^; the mean is real in both.
+/// Separates the coefficients of z = a + i b into those of a and b; the mean is real in both.
 void part_coefficients(const Real* z, Real* a, Real* b, int n) {
   a[0] = z[0];
   b[0] = z[1];

@@ -48,9 +48,9 @@ Poisson::Poisson(const Grid& g, const parallel::Decomposition& d, parallel::Prof
   y_whole_.resize(z_to_y_.volume(z_to_y_.after()));
 }
 
-void Poisson::solve(const GiveRow& give, const TakeRow& take) {
+void Poisson::solve(PoissonRows& rows) {
   if (columns_to_x_.trivial()) {
-    transform_rows(give);
+    transform_rows([&rows](int j, int k, Real* row) { rows.give_right_side(j, k, row); });
     turn_.to_modes();
     for (int mode = 0; mode < turn_.own_modes().size(); ++mode) {
       forward_in_z(mode);
@@ -58,16 +58,16 @@ void Poisson::solve(const GiveRow& give, const TakeRow& take) {
       backward_in_z(mode);
     }
     turn_.to_planes();
-    transform_back(take);
+    transform_back([&rows](int j, int k, const Real* row) { rows.take_solution(j, k, row); });
   } else {
-    gather_rows(give);
+    gather_rows(rows);
     transform_rows([this](int j, int k, Real* row) { std::copy_n(whole_row(j, k), grid_.nx_global, row); });
     turn_.to_modes();
     solve_with_shared_rows();
     turn_.to_planes();
     transform_back(
         [this](int j, int k, const Real* row) { std::copy_n(row, grid_.nx_global, whole_row(j, k)); });
-    scatter_rows(take);
+    scatter_rows(rows);
   }
 }
 
@@ -96,6 +96,7 @@ void Poisson::for_each_pair(const RowBlock& b, const Work& work) {
   }
 }
 
+template <class GiveRow>
 void Poisson::transform_rows(const GiveRow& give) {
   for_each_block([&](const RowBlock& b) {
     for_each_pair(b, [&](int k, int j, int next, Complex* here, Complex* there) {
@@ -108,6 +109,7 @@ void Poisson::transform_rows(const GiveRow& give) {
   });
 }
 
+template <class TakeRow>
 void Poisson::transform_back(const TakeRow& take) {
   for_each_block([&](const RowBlock& b) {
     turn_.unpack(b, block_.data(), row_stride_);
@@ -151,19 +153,19 @@ Real* Poisson::whole_row(int j, int k) {
   return x_whole_.data() + (std::ptrdiff_t(k) * rows_ + j) * grid_.nx_global;
 }
 
-void Poisson::gather_rows(const GiveRow& give) {
+void Poisson::gather_rows(PoissonRows& from) {
   Real* row = columns_.data();
   for (int k = 0; k < grid_.nz; ++k) {
-    for (int j = 0; j < grid_.ny; ++j, row += grid_.nx) give(j, k, row);
+    for (int j = 0; j < grid_.ny; ++j, row += grid_.nx) from.give_right_side(j, k, row);
   }
   columns_to_x_.forward(columns_.data(), x_whole_.data());
 }
 
-void Poisson::scatter_rows(const TakeRow& take) {
+void Poisson::scatter_rows(PoissonRows& to) {
   columns_to_x_.backward(x_whole_.data(), columns_.data());
   const Real* row = columns_.data();
   for (int k = 0; k < grid_.nz; ++k) {
-    for (int j = 0; j < grid_.ny; ++j, row += grid_.nx) take(j, k, row);
+    for (int j = 0; j < grid_.ny; ++j, row += grid_.nx) to.take_solution(j, k, row);
   }
 }
 

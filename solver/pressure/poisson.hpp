@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "solver/grid/field.hpp"
@@ -28,32 +27,42 @@ namespace softwall::pressure {
 
 using grid::Grid;
 
+/// Whose equation is solved: gives the right-hand side row by row and takes the solution row by row, each row
+/// (j, k) of nx numbers once and in no promised order.
+class PoissonRows {
+ public:
+  PoissonRows() = default;
+  PoissonRows(const PoissonRows&) = delete;
+  PoissonRows& operator=(const PoissonRows&) = delete;
+  virtual ~PoissonRows() = default;
+
+  virtual void give_right_side(int j, int k, Real* row) = 0;
+  virtual void take_solution(int j, int k, const Real* row) = 0;
+};
+
 class Poisson {
  public:
   Poisson(const Grid& grid, const parallel::Decomposition& decomposition,
           parallel::Profile* profile = nullptr);
 
-  /// Writes, or reads, the nx numbers of row (j, k).
-  using GiveRow = std::function<void(int j, int k, Real* row)>;
-  using TakeRow = std::function<void(int j, int k, const Real* row)>;
-
-  /// Asks for each row of the right-hand side once, then hands out each row of psi once; in no promised
-  /// order.
-  void solve(const GiveRow& right_hand_side, const TakeRow& psi);
+  /// Asks for all of the right-hand side before it hands out the first row of psi.
+  void solve(PoissonRows& rows);
 
  private:
   template <class Work>
   void for_each_block(const Work& work) const;
   template <class Work>
   void for_each_pair(const parallel::RowBlock& block, const Work& work);
+  template <class GiveRow>
   void transform_rows(const GiveRow& give);
+  template <class TakeRow>
   void transform_back(const TakeRow& take);
   void forward_in_z(int mode);
   void backward_in_z(int mode);
   void solve_systems(Complex* plane, std::ptrdiff_t stride, int mode);
   void remove_mean(Complex* plane, std::ptrdiff_t stride) const;
-  void gather_rows(const GiveRow& give);
-  void scatter_rows(const TakeRow& take);
+  void gather_rows(PoissonRows& from);
+  void scatter_rows(PoissonRows& to);
   void solve_with_shared_rows();
   [[nodiscard]] Real* whole_row(int j, int k);
 

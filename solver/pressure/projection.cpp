@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "solver/grid/cell_loop.hpp"
@@ -19,6 +18,53 @@ double sum_of_row(const Real* row, int n) {
   return sum;
 }
 
+/// div(u*) / duration goes to the Poisson solver, psi comes back; the sums of u* over the cells of each row
+/// are taken on the way. wraps: ghost cells in x are copied while their row is in the cache.
+class DivergenceAndPsi final : public PoissonRows {
+ public:
+  DivergenceAndPsi(grid::VectorField& velocity, double duration, const Grid& g, grid::Field& psi,
+                   double* row_sums, bool wraps)
+      : own_u_(velocity.x.view()),
+        u_(std::as_const(velocity.x).view()),
+        v_(std::as_const(velocity.y).view()),
+        w_(std::as_const(velocity.z).view()),
+        psi_(psi.view()),
+        inv_dx_(Real(1 / g.dx)),
+        inv_dz_(Real(1 / g.dz)),
+        inv_duration_(Real(1 / duration)),
+        inv_dy_(g.inv_dy.data()),
+        row_sums_(row_sums),
+        nx_(g.nx),
+        wraps_(wraps) {
+    std::fill_n(row_sums, g.ny, 0.0);
+  }
+
+  void give_right_side(int j, int k, Real* row) override {
+    if (wraps_) own_u_(nx_, j, k) = own_u_(0, j, k);
+    const auto u = u_, v = v_, w = w_;  // copies, which what the loop writes cannot change
+    const Real inv_duration = inv_duration_, inv_dx = inv_dx_, inv_dy = inv_dy_[j], inv_dz = inv_dz_;
+    const int nx = nx_;
+#pragma omp simd
+    for (int i = 0; i < nx; ++i) row[i] = inv_duration * divergence(u, v, w, inv_dx, inv_dy, inv_dz, i, j, k);
+    row_sums_[j] += sum_of_row(&u(0, j, k), nx);
+  }
+
+  void take_solution(int j, int k, const Real* row) override {
+    std::copy(row, row + nx_, &psi_(0, j, k));
+    if (wraps_) psi_(-1, j, k) = row[nx_ - 1];
+  }
+
+ private:
+  grid::View<Real> own_u_;
+  grid::View<const Real> u_, v_, w_;
+  grid::View<Real> psi_;
+  Real inv_dx_, inv_dz_, inv_duration_;
+  const Real* inv_dy_;
+  double* row_sums_;
+  int nx_;
+  bool wraps_;
+};
+
 }  // namespace
 
 Projection::Projection(const Grid& grid, const parallel::Decomposition& decomposition, grid::Halo& halo,
@@ -33,33 +79,14 @@ Projection::Projection(const Grid& grid, const parallel::Decomposition& decompos
 /// The divergence of a cell needs the velocity on its high faces; the wall-normal one is whole on every rank.
 void Projection::find_psi(grid::VectorField& velocity, double duration) {
   const parallel::Profile::Scope scope(profile_, parallel::Phase::kPoisson);
-  const auto& g = grid_;
-  const bool wraps = halo_.wraps_in_x();  // then ghost cells in x are copied when their row is in the cache
-  if (!wraps) halo_.fill_side(grid::Side::kHighX, {&velocity.x}, {0, g.ny});
-  halo_.fill_side(grid::Side::kHighZ, {&velocity.z}, {0, g.ny});
-  const auto& c = std::as_const(velocity);
-  const auto u = c.x.view(), v = c.y.view(), w = c.z.view();
-  const auto own_u = velocity.x.view();
-  const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz), inv_duration = Real(1 / duration);
-  const Real* const inv_dy = g.inv_dy.data();
-  const auto psi = psi_.view();
-  const int nx = g.nx;
-  std::fill(row_sums_.begin(), row_sums_.end(), 0.0);
-  double* const sums = row_sums_.data();
-  const auto give_divergence = [=](int j, int k, Real* row) {
-    if (wraps) own_u(nx, j, k) = own_u(0, j, k);
-#pragma omp simd
-    for (int i = 0; i < nx; ++i)
-      row[i] = inv_duration * divergence(u, v, w, inv_dx, inv_dy[j], inv_dz, i, j, k);
-    sums[j] += sum_of_row(&u(0, j, k), nx);
-  };
-  const auto take_psi = [=](int j, int k, const Real* row) {
-    std::copy(row, row + nx, &psi(0, j, k));
-    if (wraps) psi(-1, j, k) = row[nx - 1];
-  };
-  poisson_.solve(std::cref(give_divergence), std::cref(take_psi));  // by reference: no copy, no allocation
-  if (!wraps) halo_.fill_side(grid::Side::kLowX, {&psi_}, {0, g.ny});
-  halo_.fill_side(grid::Side::kLowZ, {&psi_}, {0, g.ny});
+  const grid::RowSpan all{0, grid_.ny};
+  const bool wraps = halo_.wraps_in_x();
+  if (!wraps) halo_.fill_side(grid::Side::kHighX, {&velocity.x}, all);
+  halo_.fill_side(grid::Side::kHighZ, {&velocity.z}, all);
+  DivergenceAndPsi rows(velocity, duration, grid_, psi_, row_sums_.data(), wraps);
+  poisson_.solve(rows);
+  if (!wraps) halo_.fill_side(grid::Side::kLowX, {&psi_}, all);
+  halo_.fill_side(grid::Side::kLowZ, {&psi_}, all);
 }
 
 /// One sweep, ghost cells of the velocity in x included. Gradients look to lower cells only, and so does the

@@ -25,8 +25,8 @@ class Projection {
     correct(velocity, pressure, duration, 0);
   }
 
-  /// The same in two steps, duration = 2 alpha dt: between them can be found what a uniform force has to add
-  /// to u, `push` in U_b, which the correction adds in the same sweep.
+  /// A projection in two steps, duration = 2 alpha dt. Between them one can find what a uniform force has to
+  /// add to u, `push` in U_b, which the correction adds in the same sweep.
   void find_psi(grid::VectorField& velocity, double duration);
   void correct(grid::VectorField& velocity, grid::Field& pressure, double duration, double push);
 

@@ -82,7 +82,7 @@ std::string header_text(const std::filesystem::path& file) {
   return text;
 }
 
-/// Of a name as RunFiles::checkpoint() gives it.
+/// The step in a name that RunFiles::checkpoint() gave.
 std::optional<std::int64_t> step_in_name(const std::filesystem::path& file) {
   constexpr std::string_view kBegin = "checkpoint-", kEnd = ".h5";
   constexpr std::size_t kFewestDigits = 9;

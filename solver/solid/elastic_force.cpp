@@ -15,16 +15,16 @@ namespace {
 struct StressOfSolid {
   static constexpr bool kAcrossRowsOnly = false;
   View<const Real> Bxx, Byy, Bzz, Bxy, Bxz, Byz;
-  Real G;
-  Real xx(int i, int j, int k) const { return G * (Bxx(i, j, k) - 1); }
-  Real yy(int i, int j, int k) const { return G * (Byy(i, j, k) - 1); }
-  Real zz(int i, int j, int k) const { return G * (Bzz(i, j, k) - 1); }
-  Real xy(int i, int j, int k) const { return G * Bxy(i, j, k); }
-  Real xz(int i, int j, int k) const { return G * Bxz(i, j, k); }
-  Real yz(int i, int j, int k) const { return G * Byz(i, j, k); }
+  ElasticLaw<Real> law;
+  Real xx(int i, int j, int k) const { return law.normal_stress(Bxx(i, j, k)); }
+  Real yy(int i, int j, int k) const { return law.normal_stress(Byy(i, j, k)); }
+  Real zz(int i, int j, int k) const { return law.normal_stress(Bzz(i, j, k)); }
+  Real xy(int i, int j, int k) const { return law.shear_stress(Bxy(i, j, k)); }
+  Real xz(int i, int j, int k) const { return law.shear_stress(Bxz(i, j, k)); }
+  Real yz(int i, int j, int k) const { return law.shear_stress(Byz(i, j, k)); }
 };
 
-/// The same anywhere.
+/// Stress components anywhere: the solid's, times its share.
 struct Stress {
   static constexpr bool kAcrossRowsOnly = false;
   StressOfSolid solid;
@@ -44,14 +44,14 @@ struct Stress {
 
 }  // namespace
 
-ElasticForce::ElasticForce(double G, const InterfaceShare& share, const Grid& grid)
-    : G_(Real(G)), share_(share), grid_(grid), divergence_(grid), now_(grid, 0), before_(grid, 0) {}
+ElasticForce::ElasticForce(ElasticLaw<Real> law, const InterfaceShare& share, const Grid& grid)
+    : law_(law), share_(share), grid_(grid), divergence_(grid), now_(grid, 0), before_(grid, 0) {}
 
 void ElasticForce::keep() { std::swap(now_, before_); }
 
 void ElasticForce::find(const Material& m, int first_row, int k) {
-  const StressOfSolid solid{
-      m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(), m.B.yz.view(), G_};
+  const StressOfSolid solid{m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(),
+                            m.B.xz.view(), m.B.yz.view(), law_};
   const int above = std::max(first_row, m.solid_edges_from(grid_.ny));
   divergence_.find(
       Stress{solid, {m.phi.view(), grid_.upper_share.data(), !share_.is_mean_by_volume()}, share_.view()},

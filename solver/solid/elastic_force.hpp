@@ -1,19 +1,20 @@
 #pragma once
 
+#include "solver/case/elastic_law.hpp"
 #include "solver/solid/interface_share.hpp"
 #include "solver/solid/material.hpp"
 #include "solver/solid/stress_divergence.hpp"
 
-/// Force of the neo-Hookean stress on the faces, f_i = d/dx_j [ phi G (B_ij - delta_ij) ], paper
-/// eq:stress-s-he. phi G delta_ij is the gradient of a center field, which the pressure absorbs exactly on
-/// this grid: it is left out, so that a wall at rest feels no force at all. For the same reason a multiple of
-/// the identity added to B (as the limiter does) moves nothing.
+/// Force of the elastic stress (case/elastic_law.hpp) on the faces, f_i = d/dx_j [ phi G (B_ij - delta_ij) ].
+/// phi G delta_ij is the gradient of a center field, which the pressure absorbs exactly on this grid: it is
+/// left out, so that a wall at rest feels no force at all. For the same reason a multiple of the identity
+/// added to B (as the limiter does) moves nothing.
 namespace softwall::solid {
 
 class ElasticForce {
  public:
   /// `share` must outlive it.
-  ElasticForce(double G, const InterfaceShare& share, const Grid& grid);
+  ElasticForce(ElasticLaw<Real> law, const InterfaceShare& share, const Grid& grid);
 
   /// The present force becomes that of the moment before. To be called before the material moves on.
   void keep();
@@ -22,15 +23,16 @@ class ElasticForce {
   /// cells of `material` and its planes k - 1 and k + 1.
   void find(const Material& material, int first_row, int k);
 
-  /// The same at the end of a step's first substep, t + 8/15 dt; and the force kept, that at its beginning,
-  /// becomes that of the middle of the step, between them in time.
+  /// To be called at the end of a step's first substep, at t + 8/15 dt. Finds the present force; and the
+  /// force kept, that of the beginning of the step, becomes that of its middle, which lies between the two in
+  /// time.
   void find_middle(const Material& material, int first_row, int k);
 
   [[nodiscard]] const grid::VectorField& now() const { return now_; }
   [[nodiscard]] const grid::VectorField& before() const { return before_; }
 
  private:
-  Real G_;
+  ElasticLaw<Real> law_;
   const InterfaceShare& share_;
   const Grid& grid_;
   StressDivergence divergence_;

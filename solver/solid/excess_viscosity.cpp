@@ -60,7 +60,7 @@ struct ExcessStress {
   }
 };
 
-/// The same of a solid as viscous as the fluid.
+/// The excess stress where the solid is as viscous as the fluid.
 struct ExcessStressAtInterface : ExcessStress {
   static constexpr bool kAcrossRowsOnly = true;
 };

@@ -63,7 +63,7 @@ class InterfaceShare {
 
   [[nodiscard]] InterfaceShareView view() const { return {over_columns_.data() + offset(0), stride_}; }
   [[nodiscard]] bool is_mean_by_volume() const { return flat_ == 0; }
-  /// Of the fluid's factor.
+  /// The largest that the factor of the fluid can be.
   [[nodiscard]] Real largest_factor() const { return factor_of_fluid(1, flat_); }
 
  private:

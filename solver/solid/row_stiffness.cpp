@@ -73,7 +73,7 @@ void fill(Real* row, int n, const Value& value) {
 }  // namespace
 
 RowStiffness::RowStiffness(const SolidSpec& spec, const Formulation& formulation, const Grid& g)
-    : G_(spec.G),
+    : law_{spec.G},
       viscosity_ratio_(spec.viscosity_ratio),
       formulation_(formulation),
       grid_(g),
@@ -88,17 +88,18 @@ void RowStiffness::apply(const Material& m, const grid::VectorField& before, con
                          int first_row, grid::VectorField& velocity) {
   const Grid& g = grid_;
   const InterfaceShare& share = formulation_.interface_share();
-  const Edges edges{{m.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()},
-                    m.B.yy.view(),
-                    share.view(),
-                    g.inv_dy.data(),
-                    g.inv_dy_face.data(),
-                    Real((1 + step_limits::kSpareStiffness) * G_ * weights.dt * weights.dt / 4),
-                    Real(weights.viscous),
-                    Real(viscosity_ratio_),
-                    formulation_.solid_from(),
-                    g.ny,
-                    std::max(first_row, m.solid_edges_from(g.ny))};
+  const Edges edges{
+      {m.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()},
+      m.B.yy.view(),
+      share.view(),
+      g.inv_dy.data(),
+      g.inv_dy_face.data(),
+      Real((1 + step_limits::kSpareStiffness) * law_.stiffness(1) * weights.dt * weights.dt / 4),
+      Real(weights.viscous),
+      Real(viscosity_ratio_),
+      formulation_.solid_from(),
+      g.ny,
+      std::max(first_row, m.solid_edges_from(g.ny))};
   const auto driving = Real(weights.driving);
   if (viscosity_ratio_ > 1) {
     apply<true>(edges, before, driving, first_row, velocity);

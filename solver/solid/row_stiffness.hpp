@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/case/elastic_law.hpp"
 #include "solver/parallel/line_memory.hpp"
 #include "solver/solid/formulation.hpp"
 #include "solver/solid/material.hpp"
@@ -55,7 +56,8 @@ class RowStiffness {
   /// Row j of a plane; there is one for -1.
   [[nodiscard]] Real* row(Row& rows, int j) const { return rows.data() + std::ptrdiff_t(j + 1) * stride_; }
 
-  double G_, viscosity_ratio_;
+  ElasticLaw<double> law_;
+  double viscosity_ratio_;
   const Formulation& formulation_;
   const Grid& grid_;
   std::ptrdiff_t stride_;

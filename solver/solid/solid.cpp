@@ -6,20 +6,32 @@
 #include "solver/case/step_limits.hpp"
 #include "solver/grid/cell_loop.hpp"
 #include "solver/parallel/reduce.hpp"
-#include "solver/solid/reference_map/reference_map.hpp"
-#include "solver/solid/transported_b.hpp"
+#include "solver/solid/transported_b/transported_b.hpp"
 
 namespace softwall::solid {
 
 namespace {
 
-std::unique_ptr<Formulation> formulation_of(const SolidSpec& spec, const Grid& grid,
-                                            const parallel::Decomposition& decomposition, grid::Halo& halo) {
-  if (spec.formulation == SolidFormulation::kReferenceMap) {
-    return std::make_unique<reference_map::ReferenceMap>(spec.weno, grid, decomposition, halo);
+/// Finds the elastic force of each plane as soon as its B is ready: that of this moment, or with kMiddle that
+/// of the middle of the step.
+template <bool kMiddle>
+class ForceOfPlanes final : public PlaneFollower {
+ public:
+  ForceOfPlanes(ElasticForce& force, const Material& material, int first_row)
+      : force_(force), material_(material), first_row_(first_row) {}
+  void plane_is_ready(int k) override {
+    if constexpr (kMiddle) {
+      force_.find_middle(material_, first_row_, k);
+    } else {
+      force_.find(material_, first_row_, k);
+    }
   }
-  return std::make_unique<TransportedB>(spec, grid, decomposition, halo);
-}
+
+ private:
+  ElasticForce& force_;
+  const Material& material_;
+  int first_row_;
+};
 
 }  // namespace
 
@@ -28,8 +40,8 @@ Solid::Solid(const SolidSpec& spec, const Grid& grid, const parallel::Decomposit
     : spec_(spec),
       grid_(grid),
       decomposition_(decomposition),
-      formulation_(formulation_of(spec, grid, decomposition, halo)),
-      force_(spec.G, formulation_->interface_share(), grid) {
+      formulation_(make_formulation(spec, grid, decomposition, halo)),
+      force_({Real(spec.G)}, formulation_->interface_share(), grid) {
   const InterfaceShare& share = formulation_->interface_share();
   const bool implicit = spec.stiffness == Stiffness::kImplicit;
   splits_viscosity_ = implicit && spec.viscosity_ratio > 1;
@@ -42,7 +54,8 @@ Solid::Solid(const SolidSpec& spec, const Grid& grid, const parallel::Decomposit
 void Solid::start(Material& material) {
   if (material.formulation != spec_.formulation) throw std::logic_error("a material of another formulation");
   first_row_ = find_first_row(material);
-  formulation_->make_consistent(material, first_row_, find_force(material));
+  ForceOfPlanes<false> force(force_, material, first_row_);
+  formulation_->make_consistent(material, first_row_, force);
 }
 
 // Rows that join the band bring old B and an old force with them. What a restart would do makes them new, so
@@ -56,25 +69,23 @@ int Solid::find_first_row(const Material& material) const {
   return std::max(0, static_cast<int>(lowest) - formulation_->margin());
 }
 
-PlaneReady Solid::find_force(const Material& material) {
-  return [&](int k) { force_.find(material, first_row_, k); };
-}
-
 void Solid::transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt) {
   if (excess_viscosity_) excess_viscosity_->renew(material, velocity, first_row_);
-  const auto move = [&](const PlaneReady& ready) {
-    formulation_->transport(material, velocity, stage, dt, first_row_, ready);
+  const auto move = [&](PlaneFollower* follower) {
+    formulation_->transport(material, velocity, stage, dt, first_row_, follower);
   };
+  ForceOfPlanes<false> force(force_, material, first_row_);
+  ForceOfPlanes<true> middle_force(force_, material, first_row_);
   if (!row_stiffness_) {
     force_.keep();
-    move(find_force(material));
+    move(&force);
   } else if (is_first(stage)) {
     force_.keep();
-    move([&](int k) { force_.find_middle(material, first_row_, k); });
+    move(&middle_force);
   } else if (is_last(stage)) {
-    move(find_force(material));
+    move(&force);
   } else {
-    move({});
+    move(nullptr);
   }
 }
 
@@ -126,7 +137,7 @@ double Solid::elastic_limit(const Material& m) const {
   const double found =
       row_stiffness_ ? stiffest([](const auto& B, const auto& inv) { return stiffness_along_rows(B, inv); })
                      : stiffest([](const auto& B, const auto& inv) { return stiffness(B, inv); });
-  return step_limits::elastic(spec_.stiffness, spec_.G, found);
+  return step_limits::elastic(spec_.stiffness, {spec_.G}, found);
 }
 
 Material flat_layer(const Grid& g, SolidFormulation formulation) {

@@ -60,7 +60,6 @@ class Solid {
   [[nodiscard]] const InterfaceShare& interface_share() const { return formulation_->interface_share(); }
 
  private:
-  [[nodiscard]] PlaneReady find_force(const Material& material);
   [[nodiscard]] int find_first_row(const Material& material) const;
 
   SolidSpec spec_;

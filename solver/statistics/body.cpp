@@ -87,9 +87,10 @@ BoxEnergy energy_of(const time::State& s, const time::Setup& setup) {
   if (s.elastic) {
     const auto phi = s.material.phi.view(), xx = s.material.B.xx.view(), yy = s.material.B.yy.view(),
                zz = s.material.B.zz.view();
-    energy[1] = setup.physics.solid->G / 2 * grid::sum_cells(box, [=](int i, int j, int k) {
-                  return phi(i, j, k) * (xx(i, j, k) + yy(i, j, k) + zz(i, j, k) - 3) * dy[j];
-                });
+    const ElasticLaw<double> law{setup.physics.solid->G};
+    energy[1] = grid::sum_cells(box, [=](int i, int j, int k) {
+      return phi(i, j, k) * law.energy(double(xx(i, j, k)) + yy(i, j, k) + zz(i, j, k)) * dy[j];
+    });
   }
   parallel::sum(setup.decomposition.all(), energy);
   return {energy[0] * g.dx / g.nz_global, energy[1] * g.dx / g.nz_global};

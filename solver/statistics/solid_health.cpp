@@ -7,8 +7,8 @@
 
 #include "solver/grid/cell_loop.hpp"
 #include "solver/parallel/reduce.hpp"
-#include "solver/solid/limiter.hpp"
 #include "solver/solid/reference_map/strain.hpp"
+#include "solver/solid/transported_b/limiter.hpp"
 #include "solver/statistics/body.hpp"
 #include "solver/statistics/interface_height.hpp"
 

@@ -3,6 +3,7 @@
 #include "solver/case/step_limits.hpp"
 #include "solver/fluid/forcing.hpp"
 #include "solver/fluid/stability.hpp"
+#include "solver/time/poison.hpp"
 
 namespace softwall::time {
 
@@ -79,7 +80,9 @@ double advance_channel(State& s, Setup& setup, double dt) {
       setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);
       resist(s, setup, stage, dt);
     });
+    if constexpr (kPoisonsGhosts) poison_ghosts(s.velocity);
     driven += project_and_drive(s, setup, stage, dt);
+    if constexpr (kPoisonsGhosts) poison_unread_ghosts(s.pressure);
     profile.time(Phase::kHalo, [&] { fluid::fill_other_ghosts(s.velocity, setup.walls, setup.halo); });
   }
   return driven;

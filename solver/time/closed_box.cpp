@@ -5,6 +5,7 @@
 #include "solver/grid/cell_loop.hpp"
 #include "solver/solid/disc.hpp"
 #include "solver/time/advance.hpp"
+#include "solver/time/initial.hpp"
 
 namespace softwall::time {
 
@@ -24,7 +25,7 @@ void rotate(grid::VectorField& velocity, const grid::Grid& g) {
 }  // namespace
 
 State closed_box_at_start(Setup& setup) {
-  State s = state_at_rest(setup.grid, setup.solid.has_value());
+  State s = state_at_rest(setup);
   if (setup.solid) s.material = solid::disc_at_rest(*setup.physics.solid->disc, setup.grid);
   if (setup.velocity_prescribed) rotate(s.velocity, setup.grid);
   start(s, setup);

@@ -38,7 +38,7 @@ double envelope_slope(double y) { return y < 2 ? kPi / 2 * std::sin(kPi * y) : 0
 
 State state_at_rest(const Setup& setup) {
   const auto& solid = setup.physics.solid;
-  return solid ? state_at_rest(setup.grid, true, solid->formulation) : state_at_rest(setup.grid, false);
+  return state_at_rest(setup.grid, solid ? std::optional(solid->formulation) : std::nullopt);
 }
 
 State perturbed_laminar(Setup& setup) {

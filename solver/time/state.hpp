@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +35,7 @@ struct NamedField {
 [[nodiscard]] std::vector<NamedField> fields_of(State& state);
 
 /// A fluid at rest and, in an elastic case, a flat layer at rest in the given formulation.
-[[nodiscard]] State state_at_rest(const grid::Grid& grid, bool elastic,
-                                  SolidFormulation formulation = SolidFormulation::kTransportedB);
+[[nodiscard]] State state_at_rest(const grid::Grid& grid, std::optional<SolidFormulation> formulation);
 
 /// True when every number of the state is finite, on all ranks.
 [[nodiscard]] bool is_finite(const State& state, const parallel::Decomposition& decomposition);

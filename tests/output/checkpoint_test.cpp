@@ -177,7 +177,7 @@ TEST_F(CheckpointTest, AnotherGridIsRefusedWithBothValues) {
   Checkpoints checkpoints(run_, kCaseId, 2);
   const auto found = checkpoints.newest_valid(world_);
   time::Setup setup(support::rigid_channel({12, 8, 0, 12}), world_.get());
-  time::State state = time::state_at_rest(setup.grid, false);
+  time::State state = time::state_at_rest(setup.grid, std::nullopt);
   try {
     static_cast<void>(load_checkpoint(found->file, found->header, setup, state));
     ADD_FAILURE() << "accepted another grid";

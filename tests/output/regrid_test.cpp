@@ -114,7 +114,7 @@ TEST_F(RegridTest, OtherGridsGetSecondOrder) {
   std::vector<double> u_errors, p_errors;
   for (const int n : {12, 24, 48}) {
     time::Setup source(support::rigid_channel({n, n, 0, n}), world_.get());
-    time::State flow = time::state_at_rest(source.grid, false);
+    time::State flow = time::state_at_rest(source.grid, std::nullopt);
     support::set_by_position(flow.velocity.x, source.grid, support::kFaceX, u);
     support::set_by_position(flow.pressure, source.grid, support::kCenter, p);
     time::Setup target(support::elastic_channel({n + 4, n + 2, (n + 2) / 4, n - 2}), world_.get());
@@ -139,7 +139,7 @@ TEST_F(RegridTest, OtherGridsGetSecondOrder) {
 
 TEST_F(RegridTest, AnotherPrecursorTimeOrBoxIsRefusedWithBothValues) {
   time::Setup source(support::rigid_channel({12, 8, 0, 12}), world_.get());
-  time::State flow = time::state_at_rest(source.grid, false);
+  time::State flow = time::state_at_rest(source.grid, std::nullopt);
   const auto file = write(flow, source);
   const auto message = [&](const InitialSpec& spec, const Physics& physics) -> std::string {
     time::Setup target(physics, world_.get());

@@ -8,6 +8,7 @@
 #include "solver/solid/reference_map/strain_sweep.hpp"
 #include "solver/solid/reference_map/transport.hpp"
 #include "tests/support/fields.hpp"
+#include "tests/support/no_follower.hpp"
 
 /// The dear kernels of a step alone, on a piece of a channel that stays in a core's own cache: what computing
 /// costs where memory does not count. Items are cells (of transforms: real numbers), so items_per_second
@@ -85,11 +86,12 @@ void strain(benchmark::State& state) {
   grid::TensorField B(p.g, 1);
   grid::Field error(p.g, 1);
   StrainSweep sweep(p.g);
-  Damage damage(p.g);
+  Damage damage({1}, p.g);
+  support::NoFollower nobody;
   for (auto _ : state) {
     sweep.run(strain_of(p.displacement, p.g), p.ones.view(), 0,
               {B.xx.view(), B.yy.view(), B.zz.view(), B.xy.view(), B.xz.view(), B.yz.view(), error.view()},
-              damage, [](int) {});
+              damage, nobody);
     benchmark::ClobberMemory();
   }
   p.count(state);

@@ -13,19 +13,31 @@ namespace {
 
 using support::Domain;
 
+/// Between two fields; counts in `visits` a given row as 1, one taken as 10.
+class BetweenFields final : public PoissonRows {
+ public:
+  BetweenFields(const grid::Field& right_side, grid::Field& psi, grid::Field& visits)
+      : right_side_(right_side), psi_(psi), visits_(visits) {}
+  void give_right_side(int j, int k, Real* row) override {
+    for (int i = 0; i < psi_.nx(); ++i) row[i] = right_side_(i, j, k);
+    visits_(0, j, k) += 1;
+  }
+  void take_solution(int j, int k, const Real* row) override {
+    for (int i = 0; i < psi_.nx(); ++i) psi_(i, j, k) = row[i];
+    visits_(0, j, k) += 10;
+  }
+
+ private:
+  const grid::Field& right_side_;
+  grid::Field &psi_, &visits_;
+};
+
 grid::Field solve(Domain& d, const grid::Field& rhs) {
   const auto& g = d.grid;
   Poisson poisson(g, d.decomposition);
   grid::Field psi(g, 1), visits(g, 0);
-  poisson.solve(
-      [&](int j, int k, Real* row) {
-        for (int i = 0; i < g.nx; ++i) row[i] = rhs(i, j, k);
-        visits(0, j, k) += 1;
-      },
-      [&](int j, int k, const Real* row) {
-        for (int i = 0; i < g.nx; ++i) psi(i, j, k) = row[i];
-        visits(0, j, k) += 10;
-      });
+  BetweenFields rows(rhs, psi, visits);
+  poisson.solve(rows);
   for (int k = 0; k < g.nz; ++k) {
     for (int j = 0; j < g.ny; ++j) EXPECT_EQ(visits(0, j, k), 11) << "row " << j << ", " << k;
   }

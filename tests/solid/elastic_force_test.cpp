@@ -37,7 +37,7 @@ TEST(ElasticForce, OfSolidRowsNeedsNoFraction) {
   const auto& g = d.grid;
   const InterfaceShare share(kFluidAtFlatInterface, g);
   Material m = half_solid(d);
-  ElasticForce with(2.5, share, g), without(2.5, share, g);
+  ElasticForce with({Real(2.5)}, share, g), without({Real(2.5)}, share, g);
   for (int k = 0; k < g.nz; ++k) with.find(m, 1, k);
   m.all_solid_from = kAllSolidFrom;
   for (int k = 0; k < g.nz; ++k) without.find(m, 1, k);

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solver/solid/limiter.hpp"
+#include "solver/solid/transported_b/limiter.hpp"
 #include "solver/time/advance.hpp"
 #include "solver/time/initial.hpp"
 #include "tests/support/physics.hpp"

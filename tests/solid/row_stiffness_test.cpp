@@ -4,7 +4,7 @@
 
 #include "solver/case/step_limits.hpp"
 #include "solver/solid/fraction.hpp"
-#include "solver/solid/transported_b.hpp"
+#include "solver/solid/transported_b/transported_b.hpp"
 #include "tests/support/fields.hpp"
 #include "tests/support/physics.hpp"
 #include "tests/support/round_off.hpp"
@@ -50,11 +50,8 @@ TEST_P(RowStiffnessOf, SolvesItsSystem) {
   const double ratio = GetParam();
   support::Domain d(MPI_COMM_SELF, {12, 14, 7}, {}, support::faces(14, 2, 1.2));
   const auto& g = d.grid;
-  const SolidSpec spec{.G = kG,
-                       .viscosity_ratio = ratio,
-                       .threshold = 0.9,
-                       .min_eigenvalue = 1e-4,
-                       .stiffness = Stiffness::kImplicit};
+  SolidSpec spec = support::solid_of(kG);
+  spec.viscosity_ratio = ratio;
   const TransportedB formulation(spec, g, d.decomposition, d.halo);
   const Material m = material(d);
   const auto before = support::random_velocity(d, 5), predicted = support::random_velocity(d, 6);

@@ -6,6 +6,7 @@
 #include "solver/time/advance.hpp"
 #include "solver/time/initial.hpp"
 #include "solver/time/setup.hpp"
+#include "tests/support/solid_spec.hpp"
 
 /// Small cases and fields for the tests of this folder. 8 x 6 columns: four ranks split them in x and z.
 namespace softwall::statistics::testing {
@@ -32,8 +33,9 @@ inline Physics elastic_case() {
   p.flow = FlowType::kElasticWall;
   p.grid.ny_solid = 4;
   p.grid.stretching = 0;
-  p.solid = SolidSpec{
-      .G = 2, .viscosity_ratio = 3, .weno = WenoWeights::kZ, .threshold = 0.9, .min_eigenvalue = 1e-4};
+  p.solid = support::solid_of(2);
+  p.solid->viscosity_ratio = 3;
+  p.solid->stiffness = Stiffness::kExplicit;
   return p;
 }
 

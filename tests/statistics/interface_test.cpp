@@ -44,7 +44,7 @@ TEST(Interface, ShapeOfAWavyInterface) {
 
 TEST(Interface, AFlatLayerLiesAtTheInterfaceOfTheCase) {
   const time::Setup setup(elastic_case(), MPI_COMM_WORLD);
-  const auto state = time::state_at_rest(setup.grid, true);
+  const auto state = time::state_at_rest(setup.grid, SolidFormulation::kTransportedB);
   const auto shape = interface_shape(state.material.phi, setup.grid, setup.decomposition);
   EXPECT_NEAR(shape.mean, 2, 1e-14);
   EXPECT_NEAR(shape.rms, 0, 1e-14);
@@ -74,7 +74,7 @@ TEST(Interface, ShapeOfASharpInterface) {
 TEST(Interface, WidthInCells) {
   const time::Setup setup(elastic_case(), MPI_COMM_WORLD);  // dy = 1/8
   const auto& g = setup.grid;
-  const auto sharp = time::state_at_rest(g, true);
+  const auto sharp = time::state_at_rest(g, SolidFormulation::kTransportedB);
   EXPECT_NEAR(interface_width(sharp.material.phi, g, setup.decomposition), 0.8, 1e-13);
   grid::Field wide(g, 3);  // linear from center to center
   for_columns(g, 0, g.ny, [&](int i, int j, int k, double x, double) {

@@ -29,7 +29,7 @@ double row_mean(const time::Setup& setup, int j, const Value& value) {
 TEST(Profiles, OfTrigonometricFieldsOnAStretchedGridAreExact) {
   time::Setup setup(rigid_case(), MPI_COMM_WORLD);
   const auto& g = setup.grid;
-  auto s = time::state_at_rest(g, false);
+  auto s = time::state_at_rest(g, std::nullopt);
   // v = b f(y) cos at the faces; u carries the same wave shifted so that <u v> is known at the edges.
   const double alpha = 2 * kPi / g.length_x, beta = 2 * kPi / g.length_z;
   const auto f = [](double y) { return y * (2 - y); };
@@ -74,7 +74,7 @@ TEST(Profiles, StressesAreTheFluxesOfTheMomentumEquation) {
     const auto m = support::momentum_input(s.velocity, g, setup.viscosity);
     const solid::InterfaceShare by_volume(solid::kMeanByVolume, g);
     solid::ExcessViscosity excess(s.elastic ? physics.solid->viscosity_ratio : 1, 0.9, by_volume, g);
-    solid::ElasticForce elastic(s.elastic ? physics.solid->G : 0, by_volume, g);
+    solid::ElasticForce elastic({s.elastic ? grid::Real(physics.solid->G) : 0}, by_volume, g);
     if (s.elastic) {
       for (int k = 0; k < g.nz; ++k) elastic.find(s.material, 0, k);
       excess.renew(s.material, s.velocity, 0);

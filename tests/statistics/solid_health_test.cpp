@@ -11,7 +11,7 @@ using namespace testing;
 
 TEST(SolidHealth, OfALayerAtRest) {
   time::Setup setup(elastic_case(), MPI_COMM_WORLD);
-  auto s = time::state_at_rest(setup.grid, true);
+  auto s = time::state_at_rest(setup.grid, SolidFormulation::kTransportedB);
   time::start(s, setup);
   const auto health = solid_health(s, setup);
   EXPECT_EQ(health.min_eigenvalue, 1);
@@ -24,7 +24,7 @@ TEST(SolidHealth, OfASimpleShearIsKnown) {
   // B = F F^T with F = [1 g; 0 1]: eigenvalues 1 and 1 + g^2/2 -+ g sqrt(1 + g^2/4), determinant 1.
   time::Setup setup(elastic_case(), MPI_COMM_WORLD);
   const auto& g = setup.grid;
-  auto s = time::state_at_rest(g, true);
+  auto s = time::state_at_rest(g, SolidFormulation::kTransportedB);
   const double shear = 0.8;
   for_columns(g, g.ny_fluid - 8, g.ny, [&](int i, int j, int k, double, double) {
     s.material.B.xx(i, j, k) = 1 + shear * shear;
@@ -76,7 +76,7 @@ TEST(SolidHealth, FindsTheOneWorstCellWhereverItIs) {
   for (int worst = 0; worst < 8 * 6; worst += 5) {
     time::Setup setup(elastic_case(), MPI_COMM_WORLD);
     const auto& g = setup.grid;
-    auto s = time::state_at_rest(g, true);
+    auto s = time::state_at_rest(g, SolidFormulation::kTransportedB);
     for_columns(g, g.ny - 2, g.ny - 1, [&](int i, int j, int k, double, double) {
       const bool here = (g.z_begin + k) * g.nx_global + g.x_begin + i == worst;
       s.material.B.zz(i, j, k) = here ? 0.25 : 0.5;
@@ -91,7 +91,7 @@ TEST(SolidHealth, FindsTheOneWorstCellWhereverItIs) {
 TEST(SolidHealth, DeterminantsOfPartlyFilledCellsDoNotCount) {
   time::Setup setup(elastic_case(), MPI_COMM_WORLD);
   const auto& g = setup.grid;
-  auto s = time::state_at_rest(g, true);
+  auto s = time::state_at_rest(g, SolidFormulation::kTransportedB);
   time::start(s, setup);
   for_columns(g, g.ny_fluid, g.ny_fluid + 1, [&](int i, int j, int k, double, double) {
     s.material.phi(i, j, k) = 0.5;

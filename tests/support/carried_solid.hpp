@@ -2,15 +2,21 @@
 
 #include <cmath>
 
-#include "solver/solid/limiter.hpp"
 #include "solver/solid/solid.hpp"
+#include "solver/solid/transported_b/limiter.hpp"
 #include "tests/support/fields.hpp"
+#include "tests/support/solid_spec.hpp"
 
 /// phi and B carried and stretched by velocities that are given: no momentum.
 namespace softwall::support {
 
 inline SolidSpec carried_spec(WenoWeights weights = WenoWeights::kZ) {
-  return {.G = 1, .viscosity_ratio = 1, .weno = weights, .threshold = 0.1, .min_eigenvalue = 1e-6};
+  SolidSpec spec = solid_of(1);
+  spec.weno = weights;
+  spec.threshold = 0.1;
+  spec.min_eigenvalue = 1e-6;
+  spec.stiffness = Stiffness::kExplicit;
+  return spec;
 }
 
 /// Moves the material through time T in n steps; velocity_at(t) gives the field at the start of each substep.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/time/setup.hpp"
+#include "tests/support/solid_spec.hpp"
 
 /// Small cases, built by hand.
 namespace softwall::support {
@@ -31,12 +32,7 @@ inline Physics elastic_channel(Cells n) {
   Physics p = rigid_channel(n);
   p.flow = FlowType::kElasticWall;
   p.layer_height = 2.0 * n.ny_solid / n.ny_fluid;
-  p.solid = SolidSpec{.G = 1,
-                      .viscosity_ratio = 1,
-                      .weno = WenoWeights::kZ,
-                      .threshold = 0.9,
-                      .min_eigenvalue = 1e-4,
-                      .stiffness = Stiffness::kImplicit};
+  p.solid = solid_of(1);
   return p;
 }
 
@@ -73,14 +69,10 @@ inline Physics cavity(int nx, int ny) {
 /// The same with a soft disc near the lid, which begins to move at once.
 inline Physics cavity_with_disc(int nx, int ny) {
   Physics p = cavity(nx, ny);
-  p.solid = SolidSpec{.G = 0.1,
-                      .viscosity_ratio = 1,
-                      .weno = WenoWeights::kZ,
-                      .threshold = 0.5,
-                      .min_eigenvalue = 1e-4,
-                      .extension = Extension::kNormal,
-                      .stiffness = Stiffness::kImplicit,
-                      .disc = DiscSpec{.x = 0.6, .y = 0.65, .radius = 0.2}};
+  p.solid = solid_of(0.1);
+  p.solid->threshold = 0.5;
+  p.solid->extension = Extension::kNormal;
+  p.solid->disc = DiscSpec{.x = 0.6, .y = 0.65, .radius = 0.2};
   return p;
 }
 

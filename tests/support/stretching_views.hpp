@@ -1,7 +1,7 @@
 #pragma once
 
 #include "solver/solid/material.hpp"
-#include "solver/solid/stretching.hpp"
+#include "solver/solid/transported_b/stretching.hpp"
 #include "tests/support/momentum_views.hpp"
 
 namespace softwall::support {

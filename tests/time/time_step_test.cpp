@@ -63,7 +63,7 @@ TEST(TimeStep, OfAnUndeformedLayerIsThatOfItsStiffestShearWave) {
     Physics p = support::elastic_channel({12, 16, 4, 8});
     p.solid->stiffness = stiffness;
     time::Setup setup(p, MPI_COMM_WORLD);
-    State s = state_at_rest(setup.grid, true);
+    State s = state_at_rest(setup.grid, SolidFormulation::kTransportedB);
     start(s, setup);
     const auto& g = setup.grid;
     const bool implicit = stiffness == Stiffness::kImplicit;

@@ -40,7 +40,7 @@ int stable_steps(const Setup& setup, double T) {
 /// Error of the velocity of steady Poiseuille flow, and of its driving gradient 3 / Re (relative).
 std::pair<double, double> poiseuille_errors(int ny, double stretching) {
   time::Setup setup(channel(ny, 1, stretching), MPI_COMM_WORLD);
-  State s = state_at_rest(setup.grid, false);  // hold_flow_rate starts it
+  State s = state_at_rest(setup.grid, std::nullopt);  // hold_flow_rate starts it
   run(s, setup, kLong, stable_steps(setup, kLong));
   const auto parabola = [](double, double y, double) { return 1.5 * y * (2 - y); };
   EXPECT_LT(support::largest(support::global_values(s.velocity.y, setup.grid, ny, setup.decomposition.all())),
@@ -63,7 +63,7 @@ TEST(Poiseuille, IsSecondOrder) {
 
 TEST(Poiseuille, DrivingBalancesTheWalls) {
   time::Setup setup(channel(16, 1, 1.5), MPI_COMM_WORLD);
-  State s = state_at_rest(setup.grid, false);
+  State s = state_at_rest(setup.grid, std::nullopt);
   run(s, setup, kLong, stable_steps(setup, kLong));
   const auto& g = setup.grid;
   const double bottom = 2 * s.velocity.x(0, 0, 0) * g.inv_dy[0],
@@ -83,7 +83,7 @@ double stokes_error(int ny, double stretching) {
       return std::imag(std::sinh(k * (H - y)) / std::sinh(k * H) * std::exp(std::complex<double>(0, w * t)));
     };
   };
-  State s = state_at_rest(setup.grid, false);
+  State s = state_at_rest(setup.grid, std::nullopt);
   support::set_by_position(s.velocity.x, setup.grid, kFaceX, at(0));
   start(s, setup);
   const double end = (2 * kPi + 0.8) / w;
@@ -109,7 +109,7 @@ TEST(StokesSecondProblem, IsSecondOrder) {
 double decay_error(int ny, double stretching, int steps) {
   time::Setup setup(channel(ny, 5, stretching), MPI_COMM_WORLD);
   setup.bulk_velocity.reset();
-  State s = state_at_rest(setup.grid, false);
+  State s = state_at_rest(setup.grid, std::nullopt);
   const double k = kPi / 2, T = 2, nu = setup.viscosity;
   support::set_by_position(s.velocity.x, setup.grid, kFaceX,
                            [=](double, double y, double) { return std::sin(k * y); });
@@ -133,7 +133,7 @@ TEST(DecayingShear, IsThirdOrderInTime) {
   const auto error = [](int steps) {
     time::Setup setup(channel(8, 2, 0), MPI_COMM_WORLD);
     setup.bulk_velocity.reset();
-    State s = state_at_rest(setup.grid, false);
+    State s = state_at_rest(setup.grid, std::nullopt);
     const double k = kPi / 2, T = 2, dy = setup.grid.dy[0];
     support::set_by_position(s.velocity.x, setup.grid, kFaceX,
                              [=](double, double y, double) { return std::sin(k * y); });

@@ -44,7 +44,7 @@ Errors run_wave(SolidFormulation formulation, int ny, double stretching, double 
   p.solid->formulation = formulation;
   time::Setup setup(p, MPI_COMM_WORLD);
   setup.bulk_velocity.reset();
-  State s = state_at_rest(setup.grid, true);
+  State s = state_at_rest(setup.grid, SolidFormulation::kTransportedB);
   s.material = support::solid_everywhere(setup.grid, formulation);
   auto& moving = turned ? s.velocity.z : s.velocity.x;
   const auto& g = setup.grid;
@@ -118,7 +118,7 @@ double error_of_antiplane_wave(SolidFormulation formulation, int m, int n, int s
   p.solid->formulation = formulation;
   time::Setup setup(p, MPI_COMM_WORLD);
   setup.bulk_velocity.reset();
-  State s = state_at_rest(setup.grid, true);
+  State s = state_at_rest(setup.grid, SolidFormulation::kTransportedB);
   s.material = support::solid_everywhere(setup.grid, formulation);
   const auto& g = setup.grid;
   const double kx = kPi * m / 3, ky = kPi * n / 2;

@@ -4,7 +4,7 @@
 
 namespace softwall::solid::reference_map {
 
-/// Of the slope of a line.
+/// Between which the slope of a line is kept.
 struct Extrapolation::Bounds {
   Real least, most;
   [[nodiscard]] Real within(Real slope) const {

@@ -16,7 +16,7 @@ constexpr int kCells = 4;
 /// Bounds of A_yy, and of what is changed of the straight line's: beyond them the lines of neighbouring
 /// columns contradict each other, and the volume says nothing about d_y.
 constexpr Real kLeast = 0.5, kMost = 2, kLargestChange = 0.3;
-/// The same of A_xx A_zz - A_xz A_zx, by which is divided.
+/// The least value of A_xx A_zz - A_xz A_zx that is divided by.
 constexpr Real kLeastArea = 0.4;
 
 Real clamp(Real value, Real least, Real most) {

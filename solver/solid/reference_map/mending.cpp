@@ -1,5 +1,6 @@
 #include "solver/solid/reference_map/mending.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "solver/grid/cell_loop.hpp"
@@ -16,36 +17,64 @@ Real way_to_neighbours(const View<const Real>& q, int i, int j, int k) {
          q(i, j, k) / 2;
 }
 
-/// The damage of the worse of two cells, as far as it makes a point move.
-Real worse_of(Real a, Real b) {
-  const Real worse = a > b ? a : b;
-  return worse < kWhole ? worse : kWhole;
+/// Number of cells, among n side by side, for which the condition holds.
+template <class Condition>
+int count(const Real* damage, int n, const Condition& condition) {
+  int cells = 0;
+#pragma omp simd reduction(+ : cells)
+  for (int i = 0; i < n; ++i) cells += condition(damage[i]) ? 1 : 0;
+  return cells;
 }
 
 }  // namespace
 
-Damage::Damage(const Grid& grid)
-    : ny_(grid.ny),
+MendingRate::MendingRate(const ElasticLaw<Real>& law, const Grid& grid)
+    : wave_x(Real(4 * law.stiffness(1) / (grid.dx * grid.dx))),
+      wave_z(Real(4 * law.stiffness(1) / (grid.dz * grid.dz))),
+      flow(Real(1 / grid.dx)) {}
+
+Damage::Damage(const ElasticLaw<Real>& law, const Grid& grid)
+    : nx_(grid.nx),
+      ny_(grid.ny),
+      rate_(law, grid),
       values_(grid, 1),
       rows_(static_cast<std::size_t>(grid.nz + 1) * static_cast<std::size_t>(grid.ny), 0) {}
+
+int Damage::finish_row(int j, int k, const View<Real>& B_xx, const View<Real>& B_zz) {
+  const auto worn = values_.view();
+  Real* const row = &worn(0, j, k);
+  const bool any = count(row - 1, nx_ + 1, [](Real damage) { return damage > 0; }) > 0;
+  rows_[place(j, k)] = any ? 1 : 0;
+  if (!any) return 0;
+  const int torn = count(row, nx_, [](Real damage) { return damage == kTorn; });
+  for (int i = -1; i < nx_; ++i) {
+    if (row[i] > 0) row[i] = std::min(row[i], kWhole) * rate_.of(B_xx(i, j, k), B_zz(i, j, k));
+  }
+  return torn;
+}
 
 Mending::Mending(const Grid& grid, int planes)
     : grid_(grid), planes_(planes), moves_(grid::some_planes(grid, planes)) {}
 
 /// A point moves with the worse of the two cells beside it.
-void Mending::find(const Damage& damage, const grid::VectorField& d, const RowsOfAPlane& rows) {
+void Mending::find(const Damage& damage, const grid::VectorField& d, const RowsOfAPlane& rows,
+                   double duration) {
   const auto x = d.x.view(), y = d.y.view(), z = d.z.view();
   const auto to_x = moves_.x.view(), to_y = moves_.y.view(), to_z = moves_.z.view();
   const auto worn = damage.view();
+  const Real time = Real(duration);
+  const auto share = [=](Real rate, Real other_rate) {
+    return std::min(Real(1), time * std::max(rate, other_rate));
+  };
   const int k = rows.k, slot = k % planes_;
   for (int j = rows.j0; j < grid_.ny; ++j) {
     if (!damage.touches(j, k)) continue;
     const int below = j > rows.j0 ? j - 1 : j;
     grid::for_each_cell({0, grid_.nx, j, j + 1, k, k + 1}, [=](int i, int, int) {
       const Real here = worn(i, j, k);
-      to_x(i, j, slot) = worse_of(here, worn(i - 1, j, k)) * way_to_neighbours(x, i, j, k);
-      to_y(i, j, slot) = worse_of(here, worn(i, below, k)) * way_to_neighbours(y, i, j, k);
-      to_z(i, j, slot) = worse_of(here, worn(i, j, k - 1)) * way_to_neighbours(z, i, j, k);
+      to_x(i, j, slot) = share(here, worn(i - 1, j, k)) * way_to_neighbours(x, i, j, k);
+      to_y(i, j, slot) = share(here, worn(i, below, k)) * way_to_neighbours(y, i, j, k);
+      to_z(i, j, slot) = share(here, worn(i, j, k - 1)) * way_to_neighbours(z, i, j, k);
     });
   }
 }

@@ -20,17 +20,17 @@ constexpr int kPlanes = kGhost + 1;
 
 }  // namespace
 
-ReferenceMap::ReferenceMap(WenoWeights weights, const Grid& grid,
+ReferenceMap::ReferenceMap(const SolidSpec& spec, const Grid& grid,
                            const parallel::Decomposition& decomposition, grid::Halo& halo)
     : grid_(grid),
-      weights_(weights),
+      weights_(spec.weno),
       decomposition_(decomposition),
       halo_(halo),
       speeds_(grid),
       recent_(grid::some_planes(grid, kPlanes)),
       before_(grid, 0),
       volume_error_(grid, 1),
-      damage_(grid),
+      damage_({Real(spec.G)}, grid),
       mending_(grid, kPlanes),
       strain_(grid),
       own_heights_(grid, 1),
@@ -49,10 +49,11 @@ int ReferenceMap::lowest_row(const Material& m) {
 }
 
 void ReferenceMap::transport(Material& m, const grid::VectorField& velocity, const Stage& stage, double dt,
-                             int first_row, const PlaneReady& ready) {
+                             int first_row, PlaneFollower* follower) {
   advance(m, velocity, stage, dt, first_row);
   extend_below_surface(m, first_row);
-  limited_cells_ += derive(m, first_row, ready);
+  derive(m, first_row);
+  if (follower) limited_cells_ += find_strain(m, first_row, *follower);
 }
 
 PlaneOfRates ReferenceMap::recent_rates(int k) {
@@ -70,7 +71,7 @@ void ReferenceMap::advance(Material& m, const grid::VectorField& velocity, const
     if (k < grid_.nz) {
       const RowsOfAPlane rows{k, first_row};
       find_rates(m.displacement, velocity, relaxation, grid_, weights_, rows, recent_rates(k));
-      mending_.find(damage_, m.displacement, rows);
+      mending_.find(damage_, m.displacement, rows, 2 * stage.alpha * dt);
     }
     if (k >= kGhost) {
       const RowsOfAPlane rows{k - kGhost, first_row};
@@ -109,9 +110,10 @@ void ReferenceMap::extend_below_surface(Material& m, int first_row) {
   halo_.fill({&d.y}, rows_with_ghosts(first_row));
 }
 
-void ReferenceMap::make_consistent(Material& m, int first_row, const PlaneReady& ready) {
+void ReferenceMap::make_consistent(Material& m, int first_row, PlaneFollower& follower) {
   fill_ghosts(m.displacement, first_row);
-  derive(m, first_row, ready);
+  derive(m, first_row);
+  find_strain(m, first_row, follower);
 }
 
 grid::RowSpan ReferenceMap::rows_with_ghosts(int first_row) const {
@@ -123,8 +125,8 @@ void ReferenceMap::fill_ghosts(grid::VectorField& d, int first_row) {
   halo_.fill({&d.x, &d.y, &d.z}, rows_with_ghosts(first_row));
 }
 
-/// Reads the displacement and its ghost cells. Returns the number of torn cells.
-std::int64_t ReferenceMap::derive(Material& m, int first_row, const PlaneReady& ready) {
+/// The surface and phi. Reads the displacement and its ghost cells.
+void ReferenceMap::derive(Material& m, int first_row) {
   wide_heights_.find(m.displacement.y, m.surface_at_rest);
   mean_height_ =
       parallel::sum(decomposition_.all(), wide_heights_.sum()) / (double(grid_.nx_global) * grid_.nz_global);
@@ -132,7 +134,6 @@ std::int64_t ReferenceMap::derive(Material& m, int first_row, const PlaneReady& 
   share_.follow([&](int i, int k) { return wide_heights_.flatness(i, k, row_height); });
   m.all_solid_from = fractions_.fill(wide_heights_, first_row, m.phi);
   continue_fraction(m, first_row);
-  return ready ? find_strain(m, first_row, ready) : 0;
 }
 
 double ReferenceMap::row_height_at(double y) const {
@@ -174,11 +175,12 @@ void ReferenceMap::continue_fraction(Material& m, int first_row) const {
   grid::for_each_cell(around(-1), [=](int i, int j, int k) { phi(i, j, k) = phi(i, 0, k); });
 }
 
-std::int64_t ReferenceMap::find_strain(Material& m, int first_row, const PlaneReady& ready) {
+/// B. Returns the number of torn cells.
+std::int64_t ReferenceMap::find_strain(Material& m, int first_row, PlaneFollower& follower) {
   return strain_.run(strain_of(m.displacement, grid_), std::as_const(m.phi).view(), first_row,
                      {m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(),
                       m.B.yz.view(), volume_error_.view()},
-                     damage_, ready);
+                     damage_, follower);
 }
 
 }  // namespace softwall::solid::reference_map

@@ -22,7 +22,7 @@ namespace softwall::solid::reference_map {
 
 class ReferenceMap : public Formulation {
  public:
-  ReferenceMap(WenoWeights weights, const Grid& grid, const parallel::Decomposition& decomposition,
+  ReferenceMap(const SolidSpec& spec, const Grid& grid, const parallel::Decomposition& decomposition,
                grid::Halo& halo);
 
   [[nodiscard]] int lowest_row(const Material& material) override;
@@ -30,9 +30,9 @@ class ReferenceMap : public Formulation {
   /// less and without a fixed dt), and a steep one bears stress on the edge below. Further down d is
   /// extrapolated.
   [[nodiscard]] int margin() const override { return 2; }
-  void make_consistent(Material& material, int first_row, const PlaneReady& ready) override;
+  void make_consistent(Material& material, int first_row, PlaneFollower& follower) override;
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
-                 int first_row, const PlaneReady& ready) override;
+                 int first_row, PlaneFollower* follower) override;
   /// Under a flat surface: both rows whose difference it takes have their centers in the solid.
   [[nodiscard]] Real solid_from() const override { return Real(0.75); }
   [[nodiscard]] const InterfaceShare& interface_share() const override { return share_; }
@@ -49,8 +49,8 @@ class ReferenceMap : public Formulation {
   [[nodiscard]] grid::RowSpan rows_with_ghosts(int first_row) const;
   [[nodiscard]] double row_height_at(double y) const;
   void fill_beyond_walls(grid::VectorField& displacement, int first_row) const;
-  std::int64_t derive(Material& material, int first_row, const PlaneReady& ready);
-  [[nodiscard]] std::int64_t find_strain(Material& material, int first_row, const PlaneReady& ready);
+  void derive(Material& material, int first_row);
+  std::int64_t find_strain(Material& material, int first_row, PlaneFollower& follower);
   void continue_fraction(Material& material, int first_row) const;
 
   const Grid& grid_;

@@ -13,15 +13,6 @@ template <class Kernel>
   for (int i = first; i < end; ++i) kernel(i);
 }
 
-/// Number of cells, among n side by side, for which the condition holds.
-template <class Condition>
-int count(const Real* damage, int n, const Condition& condition) {
-  int cells = 0;
-#pragma omp simd reduction(+ : cells)
-  for (int i = 0; i < n; ++i) cells += condition(damage[i]) ? 1 : 0;
-  return cells;
-}
-
 /// Element 0 of a row is that of column 0; a line of the cache before it holds that of column -1.
 constexpr int kBefore = parallel::kLineBytes / sizeof(Real);
 template <class Row>
@@ -46,7 +37,7 @@ StrainSweep::StrainSweep(const Grid& g) : nx_(g.nx), ny_(g.ny), nz_(g.nz) {
 }
 
 std::int64_t StrainSweep::run(const Strain& strain, View<const Real> phi, int first_row,
-                              const StrainFields& to, Damage& damage, const PlaneReady& ready) {
+                              const StrainFields& to, Damage& damage, PlaneFollower& follower) {
   std::int64_t torn = 0;
   for (int k = -1; k <= nz_; ++k) {
     const bool has_centers = k < nz_, has_edges = k >= 0;
@@ -63,15 +54,13 @@ std::int64_t StrainSweep::run(const Strain& strain, View<const Real> phi, int fi
       average(high_, strain, j + 1, k);
       if (has_centers) {
         centers(strain, phi, j, k, to, damage);
-        const Real* const row = &damage.view()(0, j, k);
-        const bool any = count(row - 1, nx_ + 1, [](Real damage_here) { return damage_here > 0; }) > 0;
-        damage.set_row(j, k, any);
-        if (any && has_edges) torn += count(row, nx_, [](Real damage_here) { return damage_here == kTorn; });
+        const int torn_in_row = damage.finish_row(j, k, to.xx, to.zz);
+        if (has_edges) torn += torn_in_row;
       }
       if (has_edges) edges_xz(strain, j, k, to.xz);
       std::swap(low_, high_);
     }
-    if (k > 0) ready(k - 1);
+    if (k > 0) follower.plane_is_ready(k - 1);
   }
   return torn;
 }

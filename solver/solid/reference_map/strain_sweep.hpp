@@ -28,19 +28,19 @@ class StrainSweep {
 
   /// Rows first_row <= j < ny, xy and yz edges on the upper wall, too; and what borders on this rank's cells:
   /// centers one column and plane before them, edges on their high sides. Returns the number of this rank's
-  /// torn cells. ready: when the next plane is found, too.
+  /// torn cells. A plane is ready for the follower when the next one is found, too.
   std::int64_t run(const Strain& strain, View<const Real> phi, int first_row, const StrainFields& to,
-                   Damage& damage, const PlaneReady& ready);
+                   Damage& damage, PlaneFollower& follower);
 
  private:
   using Row = parallel::LineVector<Real>;
-  /// Of a row of cells, means over x to the planes of xy edges and over z to those of yz edges.
+  /// Means of a row of cells: over x to the planes of xy edges, and over z to those of yz edges.
   struct CellRow {
     struct Means {
       Row xx, yy, zz, xz, zx;
     } to_xy, to_yz;
   };
-  /// Of a row of y faces, half the means over x and z to centers and to xz edges.
+  /// Half the means of a row of y faces over x and z, to centers and to xz edges.
   struct FaceRow {
     struct Halves {
       Row xy, yx, yz, zy;

@@ -58,7 +58,7 @@ class CellFractions {
 
  private:
   static constexpr int kStrips = 4;
-  /// Of the surface over one line of columns.
+  /// Between which heights the surface lies over the columns of one z.
   struct Range {
     double lowest, highest;
   };

@@ -31,7 +31,7 @@ template <WenoWeights kWeights>
                                              difference(2), difference(3), velocity);
 }
 
-/// The same in y, where spacings differ: inv_below[m] is that between rows j + m - 1 and j + m.
+/// Upwind derivative in y, where spacings differ: inv_below[m] is that between rows j + m - 1 and j + m.
 template <WenoWeights kWeights>
 [[gnu::always_inline]] inline Real along_y(const Real* q, std::ptrdiff_t stride, const Real* inv_below,
                                            Real velocity) {

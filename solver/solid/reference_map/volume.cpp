@@ -12,7 +12,7 @@ constexpr double kMostInAStep = 0.15;
 
 /// In which the volume of the whole solid is restored, h/U_b.
 constexpr double kRestoringTime = 0.1;
-/// Of its relative change, the most that is restored in a unit of time, U_b/h.
+/// The most of its relative change that is restored in a unit of time, U_b/h.
 constexpr double kFastestRestoring = 1e-2;
 
 Real speed(double dt, double spacing) { return Real(std::min(1.0, kMostInAStep * spacing / dt)); }

@@ -11,7 +11,7 @@
 /// which to first order in d is d(det A)/dt = sum_i d/dx_i [ K_i d/dx_i (det A) ]. K_i is U_b times the
 /// spacing, the rate at which transport makes them, or what is stable if that is less. Where volume is kept,
 /// nothing happens. In a solid with slopes beyond 2 sqrt(K_y / K_x) it is no longer dissipative in all
-/// directions; what was tried instead: solver/README.md.
+/// directions; what was tried instead: solver/solid/README.md.
 ///
 /// det A - 1 counts in full cells; outside them it is zero. Weighted with phi in partly filled cells instead
 /// it drove waves of the surface: what stands there is extrapolated, and its errors go with phi.
@@ -40,7 +40,7 @@ class RelaxationSpeeds {
   [[nodiscard]] Real z() const { return z_; }
   /// Across y face j: element j.
   [[nodiscard]] const Real* y() const { return y_.data(); }
-  /// Of the layer's even stretching, at y face j: element j.
+  /// Speed of the even stretching of the layer at y face j: element j.
   [[nodiscard]] const Real* even() const { return even_.data(); }
 
  private:

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/campaign/core/examples.hpp"
+#include "tests/support/solid_spec.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -60,9 +61,8 @@ TEST(Memory, IsWhatWasMeasured) {
   EXPECT_NEAR(memory_bytes(c, 1), 79.2e6 * 1.048576, 5e6);
   c.physics.precision = Precision::kSingle;
   EXPECT_NEAR(memory_bytes(c, 1), 63.9e6 * 1.048576, 5e6);
-  c.physics.solid = SolidSpec{};
+  c.physics.solid = support::solid_of(1);
   c.physics.grid.ny_solid = 16;
-  c.physics.solid->formulation = SolidFormulation::kTransportedB;
   EXPECT_NEAR(memory_bytes(c, 1), 95.4e6 * 1.048576, 7e6);
   c.physics.precision = Precision::kDouble;
   EXPECT_NEAR(memory_bytes(c, 1), 136.1e6 * 1.048576, 8e6);

@@ -5,6 +5,7 @@
 #include "solver/solid/reference_map/reference_map.hpp"
 #include "solver/solid/reference_map/strain.hpp"
 #include "tests/support/fields.hpp"
+#include "tests/support/no_follower.hpp"
 #include "tests/support/order.hpp"
 #include "tests/support/physics.hpp"
 #include "tests/support/reversing_vortex.hpp"
@@ -29,11 +30,12 @@ using VelocityAt = std::function<const grid::VectorField&(double)>;
 /// Moves the material through time T in n steps; velocity(t) gives the field at the start of each substep.
 void carry(ReferenceMap& map, Material& m, double T, int n, const VelocityAt& velocity_at) {
   const double dt = T / n;
-  map.make_consistent(m, 0, [](int) {});
+  support::NoFollower nobody;
+  map.make_consistent(m, 0, nobody);
   for (int step = 0; step < n; ++step) {
     double t = step * dt;
     for (const Stage& stage : kRungeKutta3) {
-      map.transport(m, velocity_at(t), stage, dt, 0, [](int) {});
+      map.transport(m, velocity_at(t), stage, dt, 0, &nobody);
       t += 2 * stage.alpha * dt;
     }
   }
@@ -80,7 +82,7 @@ TEST_P(Shear, SimpleShearIsExactUpToTheSurface) {
   fluid::fill_ghosts(velocity, {rate_x * g.height, 0}, d.halo);
   const double at_rest = 0.3 * g.y_face[5] + 0.7 * g.y_face[6];
   Material m = layer(g, at_rest);
-  ReferenceMap map(WenoWeights::kZ, g, d.decomposition, d.halo);
+  ReferenceMap map(support::solid_of(1), g, d.decomposition, d.halo);
   carry(map, m, T, 20, [&](double) -> const grid::VectorField& { return velocity; });
   const double a = -rate_x * T, c = -rate_z * T;
   EXPECT_LT(worst_error(m.B.xy, d, 5, g.ny + 1, a), 1e-12);  // on the wall too
@@ -107,7 +109,7 @@ Reversing turn_and_return(Domain& d, const grid::VectorField& unit, int steps, d
   support::ReversingVelocity velocity(unit, d.grid);
   Reversing result;
   Material m = layer(d.grid, at_rest);
-  ReferenceMap map(WenoWeights::kZ, d.grid, d.decomposition, d.halo);
+  ReferenceMap map(support::solid_of(1), d.grid, d.decomposition, d.halo);
   carry(map, m, 0.5, steps / 2, [&](double t) -> const grid::VectorField& { return velocity.at(t); });
   const double deformed = support::worse(worst_error(m.B.xx, d, d.grid.ny / 2, d.grid.ny, 1),
                                          worst_error(m.B.zz, d, d.grid.ny / 2, d.grid.ny, 1));

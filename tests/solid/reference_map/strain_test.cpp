@@ -7,6 +7,7 @@
 #include "solver/solid/reference_map/strain_sweep.hpp"
 #include "tests/support/fields.hpp"
 #include "tests/support/momentum_views.hpp"
+#include "tests/support/no_follower.hpp"
 #include "tests/support/strain_at_edges.hpp"
 
 namespace softwall::solid::reference_map {
@@ -108,11 +109,12 @@ TEST(StrainSweep, FindsWhatTheKernelsFindAtEachPlace) {
       grid::Field phi(g, 1), error(g, 1);
       grid::for_each_cell({-1, g.nx + 1, 0, g.ny, -1, g.nz + 1},
                           [&](int i, int j, int k) { phi(i, j, k) = i % 3 == 0 ? 0.5 : 1; });
-      Damage damage(g);
+      Damage damage({1}, g);
+      support::NoFollower nobody;
       StrainSweep(g).run(
           strain, std::as_const(phi).view(), first_row,
           {B.xx.view(), B.yy.view(), B.zz.view(), B.xy.view(), B.xz.view(), B.yz.view(), error.view()},
-          damage, [](int) {});
+          damage, nobody);
       double worst = 0, largest = 0;
       const auto compare = [&](double found, double expected) {
         worst = support::worse(worst, std::abs(found - expected));

@@ -5,6 +5,8 @@
 #include "solver/solid/reference_map/reference_map.hpp"
 #include "solver/solid/reference_map/strain.hpp"
 #include "tests/support/fields.hpp"
+#include "tests/support/no_follower.hpp"
+#include "tests/support/solid_spec.hpp"
 
 namespace softwall::solid::reference_map {
 namespace {
@@ -26,7 +28,7 @@ std::pair<Volume, Volume> left_alone(Domain& d, const Displacement& displacement
   support::set_by_position(m.displacement.y, g, support::kFaceY,
                            [&](double x, double y, double) { return displacement(x, y); });
   const grid::VectorField still(g, 1);
-  ReferenceMap map(WenoWeights::kZ, g, d.decomposition, d.halo);
+  ReferenceMap map(support::solid_of(1), g, d.decomposition, d.halo);
   const auto look = [&] {
     const Strain strain = strain_of(m.displacement, g);
     Volume volume;
@@ -44,11 +46,12 @@ std::pair<Volume, Volume> left_alone(Domain& d, const Displacement& displacement
     volume.height = g.height - depth;
     return volume;
   };
-  map.make_consistent(m, 0, [](int) {});
+  support::NoFollower nobody;
+  map.make_consistent(m, 0, nobody);
   const Volume before = look();
   const double dt = 0.01;
   for (int step = 0; step < T / dt; ++step) {
-    for (const Stage& stage : kRungeKutta3) map.transport(m, still, stage, dt, 0, [](int) {});
+    for (const Stage& stage : kRungeKutta3) map.transport(m, still, stage, dt, 0, &nobody);
   }
   return {before, look()};
 }
