@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/runner/orphans.hpp"
@@ -51,12 +53,14 @@ void Runner::find_settled() {
 /// The store is brought up to the run directories. A case that it knows to have finished, in the attempt that
 /// the files tell of, needs nothing.
 void Runner::record_what_is_new() {
+  const auto is_settled = [&](const CampaignCase& one) { return book_.is_settled(one); };
+  if (std::ranges::all_of(book_.campaign().cases, is_settled)) return;
   Transaction together(store_.connection());
   const auto before = store_.all_cases();
   std::vector<Observation> seen;
   for (const CampaignCase& one : book_.campaign().cases) {
     const std::string& id = one.definition.id;
-    if (book_.is_settled(one)) {
+    if (is_settled(one)) {
       seen.push_back(book_.seen(one));
       continue;
     }
@@ -73,7 +77,7 @@ void Runner::record_what_is_new() {
   const auto after = store_.all_cases();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const CampaignCase& one = book_.campaign().cases[i];
-    if (book_.is_settled(one)) continue;
+    if (is_settled(one)) continue;
     book_.look_at(one, seen[i], after.at(one.definition.id));
     if (working_.contains(one.definition.id)) book_.mark_running(one);
   }

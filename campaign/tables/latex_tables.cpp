@@ -10,7 +10,7 @@ namespace softwall::campaign {
 namespace {
 
 /// Text between cells: what LaTeX would read as a command is written out.
-std::string escaped(const std::string& text) {
+std::string latex_text(const std::string& text) {
   std::string safe;
   for (const char c : text) {
     if (c == '\\')
@@ -40,14 +40,14 @@ void write_cells(std::ostream& out, const std::string& name, std::span<const Qua
   out << " \\\\\n";
 }
 
-void write_table(std::ostream& out, const Reading& reading, std::span<const Quantity> quantities,
-                 const std::vector<MeasuredCase>& cases) {
+void write_tabular(std::ostream& out, const Reading& reading, std::span<const Quantity> quantities,
+                   const std::vector<MeasuredCase>& cases) {
   out << "\\begin{tabular}{l" << std::string(quantities.size(), 'r') << "}\n\\hline\n";
   write_cells(out, "case", quantities,
               [](const Quantity& quantity) { return "$" + std::string(quantity.latex) + "$"; });
   out << "\\hline\n";
   for (const PaperCase& paper : paper_cases()) {
-    write_cells(out, escaped(paper.name) + " (paper)", quantities, [&](const Quantity& quantity) {
+    write_cells(out, latex_text(paper.name) + " (paper)", quantities, [&](const Quantity& quantity) {
       const auto printed = paper.printed.find(quantity.column);
       const bool there = printed != paper.printed.end() && !printed->second.empty();
       return there ? "$" + printed->second + "$" : std::string("--");
@@ -56,7 +56,7 @@ void write_table(std::ostream& out, const Reading& reading, std::span<const Quan
       if (!is_match(measured, paper, reading)) continue;
       const std::string state = measured.state == "finished" ? "" : " (" + measured.state + ")";
       write_cells(
-          out, "\\quad " + escaped(measured.label + state), quantities, [&](const Quantity& quantity) {
+          out, "\\quad " + latex_text(measured.label + state), quantities, [&](const Quantity& quantity) {
             const auto value = measured.values.find(quantity.column);
             return in_mathematics(
                 value == measured.values.end() ? "-" : measured_text(value->second, quantity.decimals));
@@ -74,9 +74,9 @@ void write_latex_tables(std::ostream& out, Connection& store) {
          "% confidence interval; * marks a value without one. Lengths in h, velocities in U_b.\n";
   for (const Reading& reading : kReadings) {
     out << "\n% " << reading.title << "\n";
-    write_table(out, reading, kTable1, cases);
+    write_tabular(out, reading, kTable1, cases);
     out << "\n";
-    write_table(out, reading, kTable2, cases);
+    write_tabular(out, reading, kTable2, cases);
   }
 }
 
