@@ -5,10 +5,10 @@ Lengths in the side of the box, velocities in that of the lid; a rotation turns 
 
 import sys
 
+from campaign_data import SeriesCase, plt, read_series_campaign
+
 import h5py
 import numpy as np
-
-from campaign_data import SeriesCase, plt, read_series_campaign
 
 LEVEL = 0.5
 

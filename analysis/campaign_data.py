@@ -12,6 +12,9 @@ import pathlib
 import sqlite3
 import sys
 
+import packages
+
+packages.needed("h5py", "matplotlib", "numpy")
 import h5py
 import matplotlib
 import numpy as np
@@ -19,8 +22,11 @@ import numpy as np
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend has to be chosen first)
 
-# The paper's colours, for decreasing G; further ones where a sweep has more values.
-COLOURS = ["blue", "magenta", "red", "green", "darkorange", "saddlebrown", "teal", "grey"]
+# The paper's colours of its four moduli, as its tables print them, and those of the next powers of two. A colour goes by
+# the value, so that a case keeps its own whatever else is in the campaign.
+COLOUR_OF_G = {8: "navy", 4: "blue", 2: "magenta", 1: "red", 0.5: "green", 0.25: "darkorange", 0.125: "saddlebrown"}
+LINES = {"below": ":", "one": "-", "above": "--"}  # the paper's, by the viscosity ratio
+MARKERS = "osv^D<>PX"  # for what a sweep varies besides G and the viscosity ratio
 PAPER_GRID = "1296x432+108x648"
 REFERENCE = pathlib.Path(__file__).parent / "data"
 LABEL_G = r"$G/(\rho U_b^2)$"
@@ -31,10 +37,15 @@ def _text(attribute):
     return attribute.decode() if isinstance(attribute, bytes) else attribute
 
 
-class Case:
-    """One run directory with statistics. `mean(name)` is the time mean over all its blocks."""
+def _shown(value):
+    return f"{value:g}" if isinstance(value, (int, float)) else str(value)
 
-    def __init__(self, directory, results):
+
+class Case:
+    """One run directory with statistics. `mean(name)` is the time mean over the blocks of its averaging window, which
+    begins with the first one that starts at or after `start`."""
+
+    def __init__(self, directory, results, start=None):
         self.directory = directory
         definition = json.loads((directory / "case.json").read_text())
         physics = definition["physics"]
@@ -51,21 +62,25 @@ class Case:
         layer = f"+{grid['ny_solid']}" if self.elastic else ""
         self.grid = f"{grid['nx']}x{grid['ny_fluid']}{layer}x{grid['nz']}"
         self.results = results.get(directory.name, {})
-        self.colour, self.style = "black", "-"
-        self._read_statistics()
+        self.physics = physics
+        self.colour, self.style, self.varied = "black", "-", {}
+        if start is None or not self.elastic and self.results.get("is_precursor"):
+            start = self.results.get("window_start")
+        self._read_statistics(-math.inf if start is None else start)
 
-    def _read_statistics(self):
+    def _read_statistics(self, start):
         with h5py.File(self.directory / "statistics.h5") as file:
             self.y = {"center": file["grid/y_center"][:], "face": file["grid/y_face"][:]}
             self.interface_y = float(file.attrs["interface_y"])
-            self.start, self.end = file["blocks/start"][:], file["blocks/end"][:]
-            self.weight = file["blocks/weight"][:]
+            inside = file["blocks/start"][:] >= start - 1e-9 * max(1.0, abs(start))
+            self.start, self.end = file["blocks/start"][inside], file["blocks/end"][inside]
+            self.weight = file["blocks/weight"][inside]
             self.profiles = {
-                name: (_text(data.attrs["location"]), data[:]) for name, data in file["profiles"].items()
+                name: (_text(data.attrs["location"]), data[inside]) for name, data in file["profiles"].items()
             }
-            self.series = {name: data[:] for name, data in file["series"].items()}
+            self.series = {name: data[inside] for name, data in file["series"].items()}
         if self.weight.sum() <= 0:
-            raise ValueError("no samples yet")
+            raise ValueError("no samples in its averaging window yet")
 
     def mean(self, name):
         """y and time mean of a profile; mean of a series. KeyError when the statistics do not hold it."""
@@ -94,10 +109,13 @@ class Case:
 
     @property
     def name(self):
-        if not self.elastic:
-            return "rigid wall"
-        ratio = "" if self.ratio == 1 else rf", $\mu^s/\mu^f={self.ratio:g}$"
-        return f"$G={self.G:g}$" + ratio
+        ratio = "" if not self.elastic or self.ratio == 1 else rf", $\mu^s/\mu^f={self.ratio:g}$"
+        varied = "".join(f", {key} {_shown(value)}" for key, value in self.varied.items())
+        return (f"$G={self.G:g}$" if self.elastic else "rigid wall") + ratio + varied
+
+    def draw(self, axes, x, y, **more):
+        """A line in the case's colour and style, with a dozen markers where it has any."""
+        axes.plot(x, y, self.style, color=self.colour, markersize=4, markevery=max(1, len(x) // 12), **more)
 
     def result(self, quantity):
         """A measured quantity or its interval, NAME_ci95; NaN when there is none."""
@@ -140,11 +158,13 @@ def _read_results(campaign):
         return {}
     with sqlite3.connect(f"{store.resolve().as_uri()}?mode=ro", uri=True) as connection:
         rows = connection.execute(
-            "SELECT c.directory, q.quantity, q.value, q.ci95 FROM quantities q JOIN cases c USING (case_id)")
+            "SELECT c.directory, q.quantity, q.value, q.ci95, q.window_start, c.is_precursor"
+            " FROM quantities q JOIN cases c USING (case_id)")
         results = {}
-        for directory, quantity, value, ci95 in rows:
+        for directory, quantity, value, ci95, window_start, is_precursor in rows:
             of_case = results.setdefault(pathlib.Path(directory).name, {})
             of_case[quantity], of_case[quantity + "_ci95"] = value, ci95
+            of_case["window_start"], of_case["is_precursor"] = window_start, is_precursor
         return results
 
 
@@ -163,19 +183,63 @@ def case_directories(campaign):
     return [path for path in directories if path.name not in left_over]
 
 
+def colour_of(G):
+    """A function of the value alone; moduli between the named ones have a colour between violet and dark red."""
+    named = next((colour for value, colour in COLOUR_OF_G.items() if math.isclose(value, G, rel_tol=1e-9)), None)
+    return named or plt.get_cmap("turbo")(min(max((math.log2(G) + 6) / 12, 0.0), 1.0))
+
+
+def line_of(ratio):
+    """The paper's: dotted below a viscosity ratio of 1, full at 1, dashed above it."""
+    return LINES["one" if ratio == 1 else "below" if ratio < 1 else "above"]
+
+
+def _parameters(physics, place=""):
+    """Every parameter of a case by its full name, but those that have a look of their own or are no choice."""
+    known = ("flow", "solid.G", "solid.viscosity_ratio", "initial.precursor", "initial.precursor_time", "initial.type")
+    found = {}
+    for key, value in physics.items():
+        name = f"{place}{key}"
+        if isinstance(value, dict):
+            found.update(_parameters(value, name + "."))
+        elif name not in known and not name.startswith("statistics."):
+            found[name] = value
+    return found
+
+
+def _in_order(parameters, names):
+    """Values of these parameters so that they sort: numbers by size, before words."""
+    values = (parameters.get(name) for name in names)
+    return tuple((0, value, "") if isinstance(value, (int, float)) else (1, 0, str(value)) for value in values)
+
+
+def name_what_varies(cases):
+    """Cases of one kind (rigid, elastic) may differ in more than G and the viscosity ratio: each says in what, and bears
+    a marker for it."""
+    for elastic in (False, True):
+        kind = [case for case in cases if case.elastic == elastic]
+        all_of = [_parameters(case.physics) for case in kind]
+        names = sorted({name for one in all_of for name in one})
+        varying = [name for name in names if len({json.dumps(one.get(name)) for one in all_of}) > 1]
+        combinations = sorted({_in_order(one, varying) for one in all_of})
+        for case, one in zip(kind, all_of):
+            case.varied = {name.rpartition(".")[2]: one[name] for name in varying if name in one}
+            if varying:
+                case.style += MARKERS[combinations.index(_in_order(one, varying)) % len(MARKERS)]
+
+
 def _choose_styles(cases):
-    """Colour by G, largest first; line by viscosity ratio, full for 1."""
-    moduli = sorted({case.G for case in cases if case.elastic}, reverse=True)
+    """Colour by G; line by viscosity ratio; marker by whatever else varies."""
     for case in cases:
-        if not case.elastic:
-            continue
-        case.colour = COLOURS[moduli.index(case.G) % len(COLOURS)]
-        case.style = "-" if case.ratio == 1 else ("--" if case.ratio < 1 else ":")
+        if case.elastic:
+            case.colour, case.style = colour_of(case.G), line_of(case.ratio)
+    name_what_varies(cases)
 
 
-def read_campaign(folder):
-    """All cases with usable statistics, rigid first, then by viscosity ratio and falling G."""
-    campaign = pathlib.Path(folder)
+def read_campaign(options):
+    """All cases with usable statistics, rigid first, then by viscosity ratio and falling G. `options`: what
+    arguments() returned."""
+    campaign = pathlib.Path(options.campaign)
     if not campaign.is_dir():
         sys.exit(f"{campaign} is not a folder; give the campaign folder, the one that holds cases/")
     results = _read_results(campaign)
@@ -184,7 +248,7 @@ def read_campaign(folder):
         if not (directory / "statistics.h5").exists():
             continue
         try:
-            cases.append(Case(directory, results))
+            cases.append(Case(directory, results, options.start))
         except (OSError, KeyError, ValueError) as error:
             print(f"left out {directory}: {error}", file=sys.stderr)
     if not cases:
@@ -213,6 +277,9 @@ def arguments(description, add_options=None):
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("campaign", help="campaign folder, the one that holds cases/ and results.db")
     parser.add_argument("-o", "--output", help="file to write; its ending chooses the format (default: PNG)")
+    parser.add_argument("--from", dest="start", type=float, metavar="T",
+                        help="begin the averages at this time, h/U_b, but those of precursors; default: as in results.db, "
+                             "whose numbers and fits keep their own window")
     if add_options:
         add_options(parser)
     return parser.parse_args()

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -142,6 +143,16 @@ void describe_window(const BlockStatistics& s, const std::vector<double>& weight
   }
 }
 
+/// Blocks of a case may begin only where an earlier version of the program wanted its averages to.
+void describe_missing_blocks(const BlockStatistics& s, DerivedQuantities& derived) {
+  if (!(derived.window_asked > 0.0) || s.start.front() <= derived.window_asked * (1.0 + kTimeTolerance))
+    return;
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "averages were asked for from t = %g, blocks were kept from %g",
+                derived.window_asked, s.start.front());
+  add_sentence(derived.note, text.data());
+}
+
 void describe_log_law(const std::optional<LogLaw>& law, DerivedQuantities& derived) {
   if (!law) {
     add_sentence(derived.note,
@@ -178,8 +189,10 @@ void refuse(const BlockStatistics& s, const std::vector<double>& weights) {
 }
 
 /// A closed box or a wave leaves series only, and none of a wall.
-DerivedQuantities not_a_channel(const BlockStatistics& s, const std::vector<double>& weights) {
+DerivedQuantities not_a_channel(const BlockStatistics& s, const std::vector<double>& weights,
+                                double window_asked) {
   DerivedQuantities derived;
+  derived.window_asked = window_asked;
   describe_window(s, weights, derived);
   derived.note = "not a channel flow: its series are in statistics.h5";
   return derived;
@@ -190,14 +203,17 @@ DerivedQuantities not_a_channel(const BlockStatistics& s, const std::vector<doub
 DerivedQuantities derive(const BlockStatistics& s, const DeriveOptions& options) {
   const std::vector<double> weights = window_weights(s, options);
   refuse(s, weights);
-  if (s.profiles.empty() && !s.series.contains("wall_shear_bottom")) return not_a_channel(s, weights);
+  if (s.profiles.empty() && !s.series.contains("wall_shear_bottom"))
+    return not_a_channel(s, weights, options.window_start.value_or(0.0));
   const Estimate whole = estimate(s, weights, options.log_law);
   const std::vector<Interval> intervals = jackknife(weights, [&](const std::vector<double>& kept) {
     const auto values = estimate(s, kept, options.log_law).values;
     return std::vector<double>(values.begin(), values.end());
   });
   DerivedQuantities derived;
+  derived.window_asked = options.window_start.value_or(0.0);
   describe_window(s, weights, derived);
+  describe_missing_blocks(s, derived);
   for (std::size_t q = 0; q < kMeasuredMembers.size(); ++q) {
     derived.*kMeasuredMembers[q].member = {whole.values[q], intervals[q].ci95};
     if (intervals[q].ci95) {

@@ -32,6 +32,7 @@ struct DerivedQuantities {
   Measured delta_max;     ///< mean of the plane maximum of |eta - mean eta| [h]; NaN in a rigid channel
   Measured delta_rms;     ///< rms of the interface height about its mean [h]; NaN in a rigid channel
 
+  double window_asked = 0.0;  ///< where the window was to start; 0: with the first block [h/U_b]
   double window_start = 0.0, window_end = 0.0;  ///< [h/U_b]
   double sampled_time = 0.0;                    ///< sum of the weights [h/U_b]
   int blocks = 0;                               ///< statistics blocks used

@@ -24,6 +24,9 @@ import math
 import sys
 from dataclasses import dataclass, replace
 
+import packages
+
+packages.needed("numpy")
 import numpy as np
 from numpy.polynomial import Chebyshev, Polynomial
 
@@ -261,7 +264,7 @@ def _flow(options):
         return mean_profiles.laminar(options.reynolds)
     if options.profile in ("cess", "cess-molecular"):
         return mean_profiles.cess(options.reynolds, eddy=options.profile == "cess")
-    return mean_profiles.read_measured(options.profile, options.reynolds)
+    return mean_profiles.read_measured(options.profile, options.reynolds, options.start)
 
 
 def _options():
@@ -269,6 +272,8 @@ def _options():
     parser.add_argument("--profile", default="laminar",
                         help="laminar; cess (waves feel its eddy viscosity); cess-molecular (they do not); or a file: "
                              "statistics.h5, or a table with columns y and u")
+    parser.add_argument("--from", dest="start", type=float, default=0, metavar="T",
+                        help="begin the mean of a statistics.h5 at this time, h/U_b")
     parser.add_argument("--reynolds", type=float, default=2800, help="U_b h / nu; of a statistics.h5 its own is taken")
     parser.add_argument("--G", type=float, default=0.25, help="modulus / (rho U_b^2)")
     parser.add_argument("--ratio", type=float, default=1, help="viscosity of the layer / of the fluid")

@@ -8,6 +8,9 @@ import math
 from dataclasses import dataclass
 from typing import Callable
 
+import packages
+
+packages.needed("numpy")
 import numpy as np
 from numpy.polynomial import Chebyshev
 
@@ -94,13 +97,16 @@ def measured(y, u, reynolds, gradient, degree=24):
                     _in_fluid(bend * Chebyshev.fit([0, 1, 2], [0, 1, 0], 2, domain=[0, DEPTH])), _none)
 
 
-def read_measured(file, reynolds=None):
+def read_measured(file, reynolds=None, start=0.0):
     """The mean of a statistics.h5; or of a table with columns y and u whose first line names them, for which the
-    driving gradient follows from the shear at both walls."""
+    driving gradient follows from the shear at both walls. `start`: the mean of a statistics.h5 begins with the first
+    block that starts at or after it, h/U_b."""
     if str(file).endswith(".h5"):
         import h5py
         with h5py.File(file) as data:
-            weight = data["blocks/weight"][:]
+            weight = np.where(data["blocks/start"][:] >= start * (1 - 1e-9), data["blocks/weight"][:], 0)
+            if not weight.sum() > 0:
+                raise ValueError(f"{file} holds no block that starts at or after t = {start:g}")
             mean = lambda values: np.average(values, axis=0, weights=weight)
             return measured(data["grid/y_center"][:], mean(data["profiles/u"][:]), float(data.attrs["reynolds"]),
                             float(mean(data["series/driving_gradient"][:])))

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Lid-driven cavity at Re = 100: u along the vertical centreline beside Ghia, Ghia and Shin (1982)."""
 
-import numpy as np
-
 from box_data import read_box_campaign
 from campaign_data import arguments, judge, plt, read_reference, save
+
+import numpy as np
 
 # Against the table's grid, 129 x 129; some of its entries are off by this much against later, finer solutions.
 BAR = 0.005

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """The elastic disc in the lid-driven cavity: its shapes at six times, and its path beside Sugiyama et al. (2011)."""
 
-import numpy as np
-
 from box_data import read_box_campaign
 from campaign_data import arguments, judge, plt, read_reference, save
+
+import numpy as np
 
 TIMES = (1.17, 2.34, 3.51, 4.69, 5.86, 7.03)
 END = 20.0

@@ -5,7 +5,7 @@
 
 import sys
 
-from campaign_data import COLOURS, arguments, caption, plt, read_campaign, read_reference, save
+from campaign_data import arguments, caption, plt, read_campaign, read_reference, save
 from plot_rigid_channel import BATCHES, Channel, draw_profile, peak, peak_of
 
 COLUMNS = {"u'": "urms_plus", "v'": "vrms_plus", "w'": "wrms_plus"}
@@ -35,8 +35,8 @@ def report(channels, reference):
 
 def draw(axes, channels, reference):
     for panel, (name, column) in zip(axes, COLUMNS.items()):
-        for channel, colour in zip(channels, COLOURS):
-            draw_profile(panel, channel.y_plus, channel, name, colour, f"{box_text(channel.case)}, {channel.case.grid}")
+        for number, channel in enumerate(channels):
+            draw_profile(panel, channel.y_plus, channel, name, f"C{number}", f"{box_text(channel.case)}, {channel.case.grid}")
         panel.plot(reference["y_plus"], reference[column], "k+", markersize=4, label="Moser et al. (1999)")
         panel.set(xlim=(0, 180), xlabel="$y^+$", ylabel=f"${name}^+$")
     axes[-1].legend(fontsize=7)
@@ -44,7 +44,7 @@ def draw(axes, channels, reference):
 
 def main():
     options = arguments(__doc__)
-    cases = [case for case in read_campaign(options.campaign) if not case.elastic and len(case.weight) >= BATCHES]
+    cases = [case for case in read_campaign(options) if not case.elastic and len(case.weight) >= BATCHES]
     if not cases:
         sys.exit(f"no rigid channel has the {BATCHES} blocks that intervals need")
     channels = sorted((Channel(case) for case in cases), key=lambda each: (len(each.y), each.case.box))

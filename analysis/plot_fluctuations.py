@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Rms velocity fluctuations and Reynolds shear stress across the channel (the paper, figure 8)."""
 
-import numpy as np
-
 from campaign_data import arguments, caption, plt, read_campaign, read_reference, save
+
+import numpy as np
 
 PANELS = (("u", "uu_Ub2"), ("v", "vv_Ub2"), ("w", "ww_Ub2"))
 
@@ -14,7 +14,7 @@ def mirrored(y, values, sign=1):
 
 def main():
     options = arguments(__doc__)
-    cases = read_campaign(options.campaign)
+    cases = read_campaign(options)
     reference = read_reference("mkm180_profiles_bulk.csv")
     figure, axes = plt.subplots(2, 2, figsize=(11, 7.5), layout="constrained", sharex=True)
     for (name, column), panel in zip(PANELS, axes.flat):
@@ -22,13 +22,13 @@ def main():
                    label="rigid, Moser et al. (1999)")
         for case in cases:
             if case.has(name, 2 * name):
-                panel.plot(*case.rms(name), case.style, color=case.colour, label=case.name)
+                case.draw(panel, *case.rms(name), label=case.name)
         panel.set(ylabel=rf"${name}'/U_b$", ylim=(0, None))
     panel = axes[1, 1]
     panel.plot(*mirrored(reference["y_over_h"], reference["uv_Ub2"], -1), "k+", markersize=4)
     for case in cases:
         if case.has("uv"):
-            panel.plot(*case.mean("uv"), case.style, color=case.colour)
+            case.draw(panel, *case.mean("uv"))
     panel.set(ylabel=r"$\overline{u'v'}/U_b^2$")
     for panel in axes.flat:
         panel.axvline(2, color="grey", linewidth=0.5)

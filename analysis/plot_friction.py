@@ -6,7 +6,7 @@ import math
 
 import linear_stability
 import mean_profiles
-from campaign_data import LABEL_G, arguments, caption, plt, read_campaign, read_reference, save
+from campaign_data import LABEL_G, arguments, caption, line_of, plt, read_campaign, read_reference, save
 
 WALLS = ("re_tau", "re_tau_w")  # upper wall: full symbols; bottom wall: open ones
 WAVELENGTHS = (0.75, 1, 1.5)  # among which the first wave to grow is found at thicknesses near 0.5, h
@@ -57,7 +57,7 @@ def plot_onset(axes, cases):
         lengths = [length * thickness / 0.5 for length in WAVELENGTHS]
         found = linear_stability.onset(mean_profiles.cess(reynolds), linear_stability.Layer(1.0, ratio, thickness), lengths)
         if found:
-            style = "-" if ratio == 1 else ("--" if ratio < 1 else ":")
+            style = line_of(ratio)
             words = "" if len(layers) == 1 else rf", $\mu^s/\mu^f={ratio:g}$"
             axes.axvline(found[0], color="0.5", linewidth=0.9, linestyle=style,
                          label=f"waves grow below $G={found[0]:.2f}$ (linear theory{words})")
@@ -65,7 +65,7 @@ def plot_onset(axes, cases):
 
 def main():
     options = arguments(__doc__)
-    cases = read_campaign(options.campaign)
+    cases = read_campaign(options)
     if not any(case.results for case in cases):
         raise SystemExit(f"no results in {options.campaign}/results.db; run `softwall run` there first")
     figure, axes = plt.subplots(figsize=(9, 5), layout="constrained")

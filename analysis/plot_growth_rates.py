@@ -8,12 +8,12 @@ three heights and to the interface from START on, and the one nearest to theory 
 
 import sys
 
-import numpy as np
-
 import linear_stability
 import mean_profiles
 from campaign_data import SeriesCase, arguments, plt, read_series_campaign, save
 from growth_fit import fitted_rates
+
+import numpy as np
 
 START, LEAST_TIME, MODES = 6.0, 10.0, 4
 PROBES = ("wave_v_fluid", "wave_v", "wave_v_solid", "wave_height")

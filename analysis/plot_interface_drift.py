@@ -11,10 +11,10 @@ with u = 0 on both walls, u and its stress continuous at the interface, and no f
 import json
 import math
 
-import numpy as np
-
 from campaign_data import arguments, caption, plt, read_campaign, save
 from plot_interface_study import option_of
+
+import numpy as np
 
 DEPTH = 2.0
 WINDOW = 20.0  # of time, for one growth rate
@@ -119,7 +119,7 @@ def print_swings(cases):
 
 def main():
     options = arguments(__doc__)
-    cases = sorted((case for case in read_campaign(options.campaign) if case.elastic),
+    cases = sorted((case for case in read_campaign(options) if case.elastic),
                    key=lambda case: (int(case.grid.split("x")[0]), len(case.grid), case.grid, option_of(case)))
     waves, swinging = [c for c in cases if not swings(c)], [c for c in cases if swings(c)]
     print_waves(waves)

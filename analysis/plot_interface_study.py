@@ -52,7 +52,7 @@ def draw_paper(panel, quantity):
 
 def main():
     options = arguments(__doc__)
-    cases = [case for case in read_campaign(options.campaign) if case.elastic]
+    cases = [case for case in read_campaign(options) if case.elastic]
     names, grids = (sorted({of(case) for case in cases}) for of in (option_of, lambda case: case.grid))
     cases.sort(key=lambda case: (case.grid, -case.G, option_of(case)))
     print_table(cases)

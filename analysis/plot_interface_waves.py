@@ -9,9 +9,9 @@ velocities the same.
 import math
 import sys
 
-import numpy as np
-
 from campaign_data import SeriesCase, arguments, judge, plt, read_reference, read_series_campaign, save
+
+import numpy as np
 
 SCALE = 2
 PERIODS = 2  # that a rate is fitted to, of the exact frequency

@@ -4,9 +4,9 @@
 import math
 import sys
 
-import numpy as np
-
 from campaign_data import arguments, caption, plt, read_campaign, save
+
+import numpy as np
 
 
 def upper_wall_profile(case):
@@ -23,16 +23,31 @@ def shift_plus(case):
     return 0.0 if math.isnan(d) else d * case.u_tau * case.reynolds
 
 
+def fitted_line(case, shifted):
+    """(yt + d)+ and U+ of the fitted log law, from below the range of its fit to beyond the maximum of U; None without a
+    fit. `shifted`: (yt + d)+ of the profile."""
+    k, shift, low = (case.result(name) for name in ("k_plus_dk", "delta_u_plus", "log_range_low_plus"))
+    if math.isnan(k) or not shifted[-1] > 0:
+        return None
+    d = shift_plus(case)
+    begin = max(15 + d, 0.4 * ((37 if math.isnan(low) else low) + d), 0.02 * shifted[-1])
+    line = np.geomspace(begin, 1.3 * shifted[-1])
+    return line, np.log(line) / k + 5.5 - shift
+
+
 def plot_profiles(axes, cases):
+    """The shift of a very soft wall may be negative: what then lies at or below the log law's origin has no place on a
+    logarithmic axis and is left out."""
     for case in cases:
         yt, u = upper_wall_profile(case)
-        d, k, shift = shift_plus(case), case.result("k_plus_dk"), case.result("delta_u_plus")
-        axes.plot(yt + d, u, case.style, color=case.colour, label=case.name)
-        if not math.isnan(k):
-            line = np.geomspace(15 + d, 1.3 * (yt[-1] + d))
-            axes.plot(line, np.log(line) / k + 5.5 - shift, "--", color=case.colour, linewidth=0.7)
+        shifted = yt + shift_plus(case)
+        above = shifted > 0
+        case.draw(axes, shifted[above], u[above], label=case.name)
+        line = fitted_line(case, shifted)
+        if line is not None:
+            axes.plot(*line, "-.", color=case.colour, linewidth=0.7)
     axes.set(xscale="log", xlabel=r"$(\tilde{y}+d)^+$", ylabel=r"$\overline{u}^+$", ylim=(0, 22),
-             title="(a) upper wall; thin: fitted log laws")
+             title="(a) upper wall; thin, dash-dotted: fitted log laws")
     axes.legend(fontsize=8)
 
 
@@ -68,7 +83,7 @@ def plot_indicator(axes, case):
 
 def main():
     options = arguments(__doc__, lambda parser: parser.add_argument("--case", help="label of the case of panel (b)"))
-    cases = read_campaign(options.campaign)
+    cases = read_campaign(options)
     figure, (profiles, indicator) = plt.subplots(1, 2, figsize=(11, 4.5), layout="constrained")
     plot_profiles(profiles, cases)
     plot_indicator(indicator, choose_case(cases, options.case))

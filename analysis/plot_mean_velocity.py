@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Mean velocity across the channel, and in wall units of the bottom wall (the paper, figure 5)."""
 
-import numpy as np
-
 from campaign_data import arguments, caption, plt, read_campaign, read_reference, save
+
+import numpy as np
 
 
 def plot_outer(axes, cases, reference):
@@ -12,7 +12,7 @@ def plot_outer(axes, cases, reference):
               label=r"rigid, Moser et al. (1999), $Re_\tau=178$")
     for case in cases:
         y, u = case.mean("u")
-        axes.plot(y, u, case.style, color=case.colour, label=case.name)
+        case.draw(axes, y, u, label=case.name)
     axes.axvline(2, color="grey", linewidth=0.5)
     axes.set(xlabel=r"$y/h$", ylabel=r"$\overline{u}/U_b$", xlim=(0, None), ylim=(0, None), title="(a)")
 
@@ -22,7 +22,7 @@ def plot_wall_units(axes, cases, reference):
     for case in cases:
         y, u = case.mean("u")
         below = (y > 0) & (y <= case.interface_y) & (np.arange(len(y)) <= np.argmax(u))
-        axes.plot(y[below] * case.u_tau_w * case.reynolds, u[below] / case.u_tau_w, case.style, color=case.colour)
+        case.draw(axes, y[below] * case.u_tau_w * case.reynolds, u[below] / case.u_tau_w)
     near, far = np.geomspace(0.8, 11), np.geomspace(9, 250)
     axes.plot(near, near, "k--", linewidth=0.8, label=r"$y^{w+}$")
     axes.plot(far, np.log(far) / 0.40 + 5.5, "k:", linewidth=0.8, label=r"$\ln y^{w+}/0.40+5.5$")
@@ -33,7 +33,7 @@ def plot_wall_units(axes, cases, reference):
 
 def main():
     options = arguments(__doc__)
-    cases = read_campaign(options.campaign)
+    cases = read_campaign(options)
     figure, (outer, wall) = plt.subplots(1, 2, figsize=(11, 4.5), layout="constrained")
     plot_outer(outer, cases, read_reference("mkm180_profiles_bulk.csv"))
     plot_wall_units(wall, cases, read_reference("mkm180_profiles.csv"))

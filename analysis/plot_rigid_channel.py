@@ -8,10 +8,10 @@ Profiles come from statistics.h5, both halves of the channel as one; correlation
 import math
 import sys
 
+from campaign_data import arguments, caption, judge, plt, read_campaign, read_reference, save
+
 import h5py
 import numpy as np
-
-from campaign_data import arguments, caption, judge, plt, read_campaign, read_reference, save
 
 BATCHES, STUDENT_T = 16, 2.131  # neighbouring blocks merged, and the 95 % quantile for one batch less
 CORRELATED_AT = (10, 98)  # y+ of the correlations shown
@@ -203,7 +203,7 @@ def report_correlations(correlations):
 
 def main():
     options = arguments(__doc__)
-    cases = [case for case in read_campaign(options.campaign) if not case.elastic]
+    cases = [case for case in read_campaign(options) if not case.elastic]
     case = max(cases, key=lambda each: len(each.y["center"]))
     if len(case.weight) < BATCHES:
         sys.exit(f"{case.label} has {len(case.weight)} blocks; intervals need {BATCHES}")

@@ -27,7 +27,7 @@ def plot_case(axes, case):
 
 def main():
     options = arguments(__doc__)
-    cases = [case for case in read_campaign(options.campaign) if case.has("viscous_stress", "uv")]
+    cases = [case for case in read_campaign(options) if case.has("viscous_stress", "uv")]
     if not cases:
         raise SystemExit("no case holds the profiles viscous_stress and uv")
     columns = min(len(cases), 3)

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Zalesak's disc after one turn beside the disc at the start, for both WENO weights and MTHINC, and its contour error."""
 
-import numpy as np
-
 from box_data import LEVEL, read_box_campaign
 from campaign_data import arguments, judge, plt, save
+
+import numpy as np
 
 FINE = 16  # points a cell on which areas are counted
 TRANSPORTS = {"js": ("tab:blue", "WENO, Jiang-Shu"), "z": ("tab:red", "WENO, Z"), "mthinc": ("tab:green", "MTHINC")}

@@ -1,6 +1,7 @@
 #include <sqlite3.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -8,6 +9,7 @@
 #include <string_view>
 
 #include "campaign/commands/commands.hpp"
+#include "campaign/commands/failure_report.hpp"
 #include "campaign/runner/campaign_lock.hpp"
 #include "campaign/store/sqlite.hpp"
 #include "campaign/store/text_width.hpp"
@@ -23,19 +25,30 @@ namespace softwall::campaign {
 namespace {
 
 constexpr double kLongestStallMinutes = 1e6;  // two years
+constexpr double kLatestWindowStart = 1e9;    // as statistics.start_time of a campaign, h/U_b
 
 /// What was given after the name of a command.
 struct Arguments {
   std::filesystem::path path, file;
   std::string sql, chosen;
-  bool json = false, csv = false, watch = false, remove = false;
+  bool json = false, csv = false, latex = false, watch = false, remove = false;
+  std::optional<double> from;
   RunOptions run;
   [[nodiscard]] OutputFormat format() const {
-    return json ? OutputFormat::kJson : csv ? OutputFormat::kCsv : OutputFormat::kText;
+    return json    ? OutputFormat::kJson
+           : csv   ? OutputFormat::kCsv
+           : latex ? OutputFormat::kLatex
+                   : OutputFormat::kText;
   }
+  [[nodiscard]] WantedResults results() const { return {path, from}; }
 };
 
 using CommandAction = std::function<ExitStatus(const Arguments&)>;
+
+/// Errors are then told as JSON, too.
+bool wants_json(int count, char** words) {
+  return std::any_of(words, words + count, [](std::string_view word) { return word == "--json"; });
+}
 
 class CommandLine {
  public:
@@ -46,6 +59,8 @@ class CommandLine {
   CLI::App* add(const std::string& name, const std::string& help, CommandAction action);
   void add_results_commands();
   void suggest_command(int count, char** words) const;
+  [[nodiscard]] bool asks_for_help(int count, char** words) const;
+  void print_help(const std::string& command) const;
   [[nodiscard]] std::string suggest_option(int count, char** words) const;
 
   CLI::App app_{"Campaigns of direct numerical simulations over elastic walls", "softwall"};
@@ -82,7 +97,9 @@ CommandLine::CommandLine() {
     return given.watch ? watch_status(given.path) : show_status(given.path, given.json);
   });
   CLI::Option* json = status->add_flag("--json", arguments_.json, "Print one JSON value");
-  status->add_flag("--watch", arguments_.watch, "Again every two seconds while the campaign runs")
+  status
+      ->add_flag("--watch", arguments_.watch,
+                 "Again every two seconds, as much as the window holds, until the run ends; waits for one")
       ->excludes(json);
   add_results_commands();
   CLI::App* verify =
@@ -95,25 +112,41 @@ CommandLine::CommandLine() {
   clean->add_flag("--remove", arguments_.remove, "Remove them, with their run directories");
   add("rebuild", "Make the results store again from the run directories",
       [](const Arguments& given) { return rebuild_store(given.path); });
+  app_.add_subcommand("help", "Explain softwall, or the command named behind it")
+      ->add_option("COMMAND", arguments_.chosen, "A command");
 }
 
 void CommandLine::add_results_commands() {
-  add("table", "Print the paper's tables beside the measured values",
-      [](const Arguments& given) { return show_paper_tables(given.path); });
+  CLI::App* table =
+      add("table", "Print the paper's tables beside the measured values",
+          [](const Arguments& given) { return show_paper_tables(given.results(), given.format()); });
   CLI::App* query = add("query", "Ask the results store in SQL (read only)", [](const Arguments& given) {
-    return show_query(given.path, given.sql, given.format());
+    return show_query(given.results(), given.sql, given.format());
   });
   query->add_option("SQL", arguments_.sql, "One statement, e.g. \"SELECT label, re_tau FROM results\"")
       ->required();
   CLI::App* exporting = add("export", "Write one row a case", [](const Arguments& given) {
-    return export_campaign(given.path, given.format(),
+    return export_campaign(given.results(), given.format(),
                            given.file.empty() ? std::nullopt : std::optional(given.file));
   });
   exporting->add_option("-o,--output", arguments_.file, "File to write instead of standard output");
-  for (CLI::App* command : {query, exporting}) {
+  for (CLI::App* command : {table, query, exporting}) {
+    command
+        ->add_option(
+            "--from", arguments_.from,
+            "Begin the averages at this time [h/U_b], but those of precursors; changes nothing on disk")
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+              return trouble_with_number(text, {.low_allowed = true, .high = kLatestWindowStart});
+            },
+            ""));
+  }
+  for (CLI::App* command : {table, query, exporting}) {
     CLI::Option_group* format = command->add_option_group("Format");
     format->add_flag("--csv", arguments_.csv, "Comma-separated values");
     format->add_flag("--json", arguments_.json, "Print one JSON value");
+    if (command == table)
+      format->add_flag("--latex", arguments_.latex, "Two tabulars for either reading of G");
     format->require_option(command == exporting ? 1 : 0, 1);
   }
 }
@@ -128,12 +161,32 @@ CLI::App* CommandLine::add(const std::string& name, const std::string& help, Com
 /// "softwall stauts": say which command was probably meant.
 void CommandLine::suggest_command(int count, char** words) const {
   if (count < 2 || words[1][0] == '-') return;
-  std::vector<std::string> known;
+  std::vector<std::string> known{"help"};
   for (const auto& [command, action] : actions_) known.push_back(command->get_name());
   if (std::ranges::find(known, words[1]) != known.end()) return;
   const auto near = suggestion(words[1], known);
   throw BadInput("softwall", {{"", "no command " + printable(words[1]),
                                near ? "did you mean " + *near + "?" : "softwall --help lists all commands"}});
+}
+
+/// "softwall help" and "softwall help run"; "softwall help --help" is read like any other command.
+bool CommandLine::asks_for_help(int count, char** words) const {
+  return std::string_view(words[1]) == "help" && (count == 2 || words[2][0] != '-');
+}
+
+void CommandLine::print_help(const std::string& command) const {
+  if (command.empty()) {
+    std::cout << app_.help();
+    return;
+  }
+  for (const auto& [known, action] : actions_) {
+    if (known->get_name() == command) {
+      std::cout << known->help("softwall");
+      return;
+    }
+  }
+  throw BadInput("softwall help",
+                 {{"", "no command " + printable(command), "softwall help lists all commands"}});
 }
 
 /// "softwall plan --jsno DIR": the option that was probably meant.
@@ -146,7 +199,7 @@ std::string CommandLine::suggest_option(int count, char** words) const {
   for (int i = 1; i < count; ++i) {
     const std::string word = words[i];
     if (!word.starts_with("--") || std::ranges::find(known, word) != known.end()) continue;
-    if (const auto near = suggestion(word, known)) return "Did you mean " + *near + "?\n";
+    if (const auto near = suggestion(word, known)) return "Did you mean " + *near + "?";
   }
   return "";
 }
@@ -157,15 +210,20 @@ ExitStatus CommandLine::run(int count, char** words) {
     return ExitStatus::kBadInput;
   }
   suggest_command(count, words);
+  if (asks_for_help(count, words)) {
+    print_help(count == 2 ? "" : words[2]);
+    return ExitStatus::kDone;
+  }
   try {
     app_.parse(count, words);
-  } catch (const CLI::ExtrasError& error) {
-    app_.exit(error, std::cout, std::cerr);
-    std::cerr << suggest_option(count, words);
-    return ExitStatus::kBadInput;
+  } catch (const CLI::Success& asked) {
+    return app_.exit(asked, std::cout, std::cerr) == 0 ? ExitStatus::kDone : ExitStatus::kBadInput;
   } catch (const CLI::ParseError& error) {
-    // Help and version are no errors; they go to standard output with status 0.
-    return app_.exit(error, std::cout, std::cerr) == 0 ? ExitStatus::kDone : ExitStatus::kBadInput;
+    if (wants_json(count, words))
+      throw BadInput("softwall", {{"", error.what(), suggest_option(count, words)}});
+    app_.exit(error, std::cout, std::cerr);
+    if (const std::string near = suggest_option(count, words); !near.empty()) std::cerr << near << "\n";
+    return ExitStatus::kBadInput;
   }
   return actions_.at(app_.get_subcommands().front())(arguments_);
 }
@@ -195,24 +253,31 @@ ExitStatus delivered(ExitStatus status) {
   return status == ExitStatus::kDone ? ExitStatus::kError : status;
 }
 
+/// Names the program, unless the message names a file of the user's first.
+std::string told_by_program(const std::exception& error) {
+  return "softwall: " + printable_lines(error.what()) + "\n";
+}
+
 ExitStatus run_reporting_errors(int count, char** words) {
   const bool runs =
       count > 1 && (std::string_view(words[1]) == "run" || std::string_view(words[1]) == "resume");
+  const auto fail = [&](ExitStatus status, const std::string& text,
+                        const std::vector<Mistake>& mistakes = {}) {
+    report_failure(std::cerr, {status, text, mistakes}, wants_json(count, words));
+    return status;
+  };
   try {
     const ExitStatus status = CommandLine().run(count, words);
     return runs ? status : delivered(status);
   } catch (const BadInput& error) {
-    std::cerr << printable_lines(error.what()) << "\n";
-    return ExitStatus::kBadInput;
+    return fail(ExitStatus::kBadInput, printable_lines(error.what()) + "\n", error.mistakes);
   } catch (const CampaignOwned& error) {
-    std::cerr << "softwall: " << printable_lines(error.what()) << "\n";
-    return ExitStatus::kOwned;
+    return fail(ExitStatus::kOwned, told_by_program(error));
   } catch (const SqliteError& error) {
-    std::cerr << "softwall: " << printable_lines(error.what()) << "\n" << advice_for(error);
-    return runs && error.may_pass() ? ExitStatus::kUnfinished : ExitStatus::kError;
+    return fail(runs && error.may_pass() ? ExitStatus::kUnfinished : ExitStatus::kError,
+                told_by_program(error) + advice_for(error));
   } catch (const std::exception& error) {
-    std::cerr << "softwall: " << printable_lines(error.what()) << "\n";
-    return ExitStatus::kError;
+    return fail(ExitStatus::kError, told_by_program(error));
   }
 }
 

@@ -18,6 +18,7 @@ quietly() {
   return "$status"
 }
 
+echo "This takes some five to ten minutes on two cores, most of them for packages and building."
 step "1/3 Packages"
 begun=$SECONDS
 bash runs/install-packages.sh
@@ -26,7 +27,7 @@ took
 step "2/3 Build, optimised for this processor, in build-native/"
 begun=$SECONDS
 quietly cmake --preset native -DSOFTWALL_TESTS=OFF
-quietly cmake --build --preset native --parallel "$(nproc)" --target softwall --target softwall-dns
+quietly cmake --build --preset native --parallel "$(nproc)" --target softwall softwall-dns softwall-dns-single
 took
 
 softwall=build-native/bin/softwall
@@ -49,6 +50,9 @@ Everything is in runs/quickstart/: results.db (SQLite), cases/ (a folder a case)
   export PATH="$PWD/build-native/bin:$PATH"
   softwall query runs/quickstart "SELECT label, re_tau, re_tau_ci95 FROM results"
   softwall export runs/quickstart --csv -o results.csv
+  softwall table runs/quickstart --from 15         # averages over another window; nothing is computed
   softwall plan runs/rosti-brandt-2017/coarse      # what the paper's cases would cost here
+Figures (Debian's python3-numpy python3-h5py python3-matplotlib):
+  /usr/bin/python3 analysis/plot_friction.py runs/quickstart
 Change runs/quickstart/campaign.json, run it again: only what is new is computed.
 END

@@ -1,4 +1,4 @@
--- The results store of a campaign, format 3: <campaign directory>/results.db.
+-- The results store of a campaign, format 4: <campaign directory>/results.db.
 --
 -- Written by `softwall` only; read it with `softwall query DIR "SQL"` or with sqlite3. Start with the view
 -- `results`. application_id and user_version are set by campaign/store/store_schema.cpp in the transaction that runs
@@ -44,7 +44,8 @@ CREATE TABLE cases (
   stale_reason     TEXT NOT NULL DEFAULT '',    -- [-] why its results are stale; empty: they are not
   forgiven         INTEGER NOT NULL DEFAULT 0,  -- [-] attempts up to this one no longer count as without progress (retry)
   in_campaign      INTEGER NOT NULL DEFAULT 1 CHECK (in_campaign IN (0, 1)), -- [-] 0: left over from an earlier sweep
-  created          TEXT NOT NULL                -- [UTC] first recorded
+  created          TEXT NOT NULL,               -- [UTC] first recorded
+  varied           TEXT NOT NULL DEFAULT '{}' CHECK (json_valid(varied)) -- [-] what differs among the cases of the sweep, with the values of this one, JSON
 ) STRICT;
 
 -- One row a launch of the solver. It is written before the launch, so that no launch is ever forgotten.
@@ -162,7 +163,10 @@ CREATE VIEW results_all (
   reynolds,           -- [-] bulk Reynolds number
   grid,               -- [-] cells as nx x (ny_fluid + ny_solid) x nz
   end_time,           -- [h/U_b] simulated time to reach
+  varied,             -- [-] what differs among the cases of the sweep, with the values of this one, JSON: varied ->> 'seed'
   attempts,           -- [-] launches so far
+  core_hours,         -- [h] wall-clock time times ranks, all attempts that have ended
+  solver_revision,    -- [-] revision of softwall-dns in the newest attempt that told it
   analysis_version,   -- [-] version of the analysis
   git_revision,       -- [-] revision of the program that analysed
   in_campaign         -- [-] 0: left over from an earlier sweep
@@ -195,7 +199,10 @@ SELECT c.case_id, c.label, c.G, c.viscosity_ratio,
   p.d, p.d_ci95, p.k_plus_dk, p.k_plus_dk_ci95, p.delta_u_plus, p.delta_u_plus_ci95,
   p.delta_max, p.delta_max_ci95, p.delta_rms, p.delta_rms_ci95,
   c.state, c.stale_reason, p.window_start, p.window_end, p.blocks, p.note,
-  c.reynolds, c.grid, c.end_time, (SELECT count(*) FROM attempts a WHERE a.case_id = c.case_id),
+  c.reynolds, c.grid, c.end_time, c.varied, (SELECT count(*) FROM attempts a WHERE a.case_id = c.case_id),
+  (SELECT sum(a.wall_seconds * a.ranks) / 3600.0 FROM attempts a WHERE a.case_id = c.case_id),
+  (SELECT a.git_revision FROM attempts a WHERE a.case_id = c.case_id AND a.git_revision IS NOT NULL
+   ORDER BY a.attempt DESC LIMIT 1),
   p.analysis_version, p.git_revision, c.in_campaign
 FROM cases c LEFT JOIN pivot p ON p.case_id = c.case_id
 ORDER BY c.is_precursor DESC, c.viscosity_ratio = 1 DESC, c.viscosity_ratio, c.G DESC, c.case_id;
@@ -269,4 +276,4 @@ WITH events (at, rank, event, attempt, detail, case_id) AS (
   FROM quantities GROUP BY case_id)
 SELECT e.at, e.event, c.label, e.attempt, e.detail, e.case_id
 FROM events e JOIN cases c USING (case_id)
-ORDER BY substr(e.at, 1, 23), e.case_id, e.rank, e.attempt;
+ORDER BY e.at, e.case_id, e.rank, e.attempt;

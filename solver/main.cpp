@@ -4,6 +4,7 @@
 #include "solver/case/option_number.hpp"
 #include "solver/case/standard_streams.hpp"
 #include "solver/right_program.hpp"
+#include "solver/run_directory/build_info.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stop_request.hpp"
 
@@ -13,6 +14,8 @@ namespace {
 
 softwall::RunOptions parse(CLI::App& app, int argc, char** argv) {
   softwall::RunOptions options;
+  const softwall::BuildInfo build = softwall::build_info();
+  app.set_version_flag("--version", "softwall-dns " + build.version + " (" + build.git_revision + ")");
   app.add_option("RUN_DIR", options.files.directory, "folder that holds case.json")->required();
   const auto within = [](softwall::OptionRange range) {
     return CLI::Validator([range](const std::string& text) { return trouble_with_number(text, range); }, "");

@@ -102,7 +102,7 @@ ExitCode Simulation::run() {
     stop_if_diverged(next.convection_rate);
     snapshot(time_before);
     if (next.report) report();
-    if (next.checkpoint) checkpoint();
+    if (next.checkpoint) write_results();
   }
   return finish(next);
 }
@@ -177,9 +177,10 @@ void Simulation::snapshot(double time_before) {
   output::write_snapshot(options_.files, state_, setup_);
 }
 
+/// The averages so far stand beside every checkpoint, so that a case can be judged before its end.
 void Simulation::write_results() {
-  const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   checkpoint();
+  const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   agree_on_root(world_, ExitCode::kFailed, [&] {
     auto blocks = statistics_.blocks();
     blocks.case_id = case_.id;

@@ -2,8 +2,9 @@
 
 #include "campaign/core/campaign_file.hpp"
 #include "campaign/launch/make_launcher.hpp"
+#include "campaign/observe/case_directories.hpp"
 #include "campaign/observe/observe.hpp"
-#include "campaign/store/import_results.hpp"
+#include "campaign/store/settled.hpp"
 #include "campaign/store/store.hpp"
 #include "solver/case/bad_input.hpp"
 
@@ -40,6 +41,8 @@ fs::path folder_of(const fs::path& path) {
 LoadedCampaign load_campaign(const fs::path& path) {
   const fs::path file = campaign_file(path);
   LoadedCampaign loaded{read_campaign(file), folder_of(file), {}};
+  if (const auto existing = existing_cases(loaded.campaign, loaded.folder); !existing.empty())
+    loaded.campaign = read_campaign(file, existing);
   Execution& execution = loaded.campaign.execution;
   execution.cores = cores_to_use(execution.cores, *make_launcher(execution.launcher));
   loaded.named = file.filename() == kCampaignFile ? loaded.folder : loaded.folder / file.filename();
@@ -48,16 +51,11 @@ LoadedCampaign load_campaign(const fs::path& path) {
 }
 
 std::vector<Observation> observe_with_history(const LoadedCampaign& loaded, const Launcher& launcher) {
-  auto observations = observe_all(loaded.campaign, loaded.folder, launcher);
   std::error_code unreadable;
-  if (!fs::exists(store_path(loaded.folder), unreadable)) return observations;
-  const Store store = Store::open(loaded.folder, OpenMode::kReadOnly);
-  const auto records = store.all_cases();
-  for (Observation& seen : observations) {
-    const auto known = records.find(seen.case_id);
-    if (known != records.end()) seen = with_history(seen, known->second);
-  }
-  return observations;
+  CaseRecords records;
+  if (fs::exists(store_path(loaded.folder), unreadable))
+    records = Store::open(loaded.folder, OpenMode::kReadOnly).all_cases();
+  return observe_with_records(loaded.campaign, loaded.folder, launcher, records);
 }
 
 std::vector<Observation> observe_for_run(const LoadedCampaign& loaded, const Launcher& launcher) {

@@ -20,15 +20,20 @@ struct RunOptions {
 
 [[nodiscard]] ExitStatus show_plan(const std::filesystem::path& path, bool json);
 [[nodiscard]] ExitStatus show_status(const std::filesystem::path& path, bool json);
-/// Again every two seconds, until nothing runs any more.
+/// Again every two seconds, as many cases as the terminal has lines for, until the run that it saw has ended
+/// or nothing is left to run; started before a run, it waits for one.
 [[nodiscard]] ExitStatus watch_status(const std::filesystem::path& path);
-[[nodiscard]] ExitStatus show_paper_tables(const std::filesystem::path& path);
 
-enum class OutputFormat { kText, kCsv, kJson };
-[[nodiscard]] ExitStatus show_query(const std::filesystem::path& path, const std::string& sql,
-                                    OutputFormat format);
+/// Which results: of the campaign at this path, as the store has them, or with averages that begin elsewhere.
+struct WantedResults {
+  std::filesystem::path path;
+  std::optional<double> from;  ///< start of the averages of all cases but precursors, h/U_b
+};
+enum class OutputFormat { kText, kCsv, kJson, kLatex };
+[[nodiscard]] ExitStatus show_paper_tables(const WantedResults& wanted, OutputFormat format);
+[[nodiscard]] ExitStatus show_query(const WantedResults& wanted, const std::string& sql, OutputFormat format);
 /// To standard output where no file is named.
-[[nodiscard]] ExitStatus export_campaign(const std::filesystem::path& path, OutputFormat format,
+[[nodiscard]] ExitStatus export_campaign(const WantedResults& wanted, OutputFormat format,
                                          const std::optional<std::filesystem::path>& file);
 
 /// Checkpoints, summaries and statistics of all cases, or of one (its label or the beginning of its id), read

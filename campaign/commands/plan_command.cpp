@@ -39,10 +39,11 @@ PlannedCampaign plan_all(const LoadedCampaign& loaded) {
   const auto launcher = make_launcher(campaign.execution.launcher);
   const auto observations = observe_for_run(loaded, *launcher);
   const auto decisions = decide(campaign, observations);
+  const MeasuredSpeed speed(campaign, observations);
   PlannedCampaign planned;
   for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
     const CampaignCase& one = campaign.cases[i];
-    const double ns = measured_ns_per_cell_step(campaign, observations, one.definition.physics);
+    const double ns = speed.ns_per_cell_step(one.definition.physics);
     const bool done = decisions[i].outlook == Outlook::kKept;
     const double reached = done ? one.definition.run.end_time : observations[i].time;
     planned.cases.push_back({&one, decisions[i], estimate(one.definition, ns, reached)});

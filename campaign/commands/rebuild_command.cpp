@@ -40,6 +40,21 @@ std::map<std::string, std::vector<PastAttempt>> attempts_in_old_store(
   return attempts;
 }
 
+/// The window that a case of an earlier version of the campaign file was last averaged over stands in the old
+/// store alone.
+void keep_windows(const std::filesystem::path& folder, std::vector<CampaignCase>& left_over) {
+  if (left_over.empty() || !std::filesystem::exists(store_path(folder))) return;
+  try {
+    const auto origins = Store::open(folder, OpenMode::kReadOnly).result_origins();
+    for (CampaignCase& one : left_over) {
+      const auto origin = origins.find(one.definition.id);
+      if (origin != origins.end()) one.window_start = origin->second.window_asked.value_or(0);
+    }
+  } catch (const SqliteError&) {
+    return;  // told where its attempts are read
+  }
+}
+
 /// Out of the way, never removed: with the files that SQLite may keep beside it.
 void set_old_store_aside(const std::filesystem::path& store) {
   std::string time = utc_now();
@@ -99,7 +114,10 @@ Count fill(Store& store, const LoadedCampaign& loaded, const std::vector<Campaig
     }
     const Observation seen = observe(one, run, *launcher);
     import_history(store, one, run, seen);
-    if (seen.state != CaseState::kFinished) continue;
+    if (seen.state != CaseState::kFinished) {
+      if (seen.state != CaseState::kDiverged) count.results += import_result_so_far(store, one, run) ? 1 : 0;
+      continue;
+    }
     try {
       count.results += import_result(store, one, run) ? 1 : 0;
     } catch (const SqliteError&) {
@@ -119,7 +137,8 @@ ExitStatus rebuild_store(const std::filesystem::path& path) {
   const LoadedCampaign loaded = load_campaign(path);
   require_writable(loaded.folder);
   const CampaignLock lock(loaded.folder);
-  const auto left_over = left_over_cases(loaded.campaign, loaded.folder);
+  auto left_over = left_over_cases(loaded.campaign, loaded.folder);
+  keep_windows(loaded.folder, left_over);
   const Workshop workshop(loaded.folder);
   Count count;
   {

@@ -9,6 +9,10 @@
 #include "campaign/store/query.hpp"
 #include "campaign/store/sqlite.hpp"
 #include "campaign/store/store.hpp"
+#include "campaign/store/text_width.hpp"
+#include "campaign/store/windowed_results.hpp"
+#include "campaign/tables/comparison_rows.hpp"
+#include "campaign/tables/latex_tables.hpp"
 #include "campaign/tables/paper_tables.hpp"
 #include "solver/case/bad_input.hpp"
 
@@ -22,6 +26,7 @@ TableFormat table_format(OutputFormat format) {
     case OutputFormat::kJson:
       return TableFormat::kJson;
     case OutputFormat::kText:
+    case OutputFormat::kLatex:
       break;
   }
   return TableFormat::kText;
@@ -38,38 +43,51 @@ void refuse_own_files(const std::filesystem::path& file, const std::filesystem::
     throw BadInput("export", {{"", file.string() + " belongs to the campaign itself", "another file"}});
 }
 
-void tell_left_out(const std::filesystem::path& folder) {
-  const std::int64_t cases = left_out(folder);
+void tell_left_out(Connection& store) {
+  const std::int64_t cases = left_out(store);
   if (cases == 0) return;
   std::cerr << "Left out: " << cases << (cases == 1 ? " case" : " cases")
             << " of earlier versions of the campaign file; the view results_all has them.\n";
 }
 
+Store results_of(const std::filesystem::path& folder, const std::optional<double>& from) {
+  if (!from) return Store::open(folder, OpenMode::kReadOnly);
+  WindowedResults results = results_from(folder, *from);
+  for (const std::string& trouble : results.troubles)
+    std::cerr << "No result from t = " << *from << ": " << printable_lines(trouble) << "\n";
+  return std::move(results.store);
+}
+
 }  // namespace
 
-ExitStatus show_paper_tables(const std::filesystem::path& path) {
-  const auto folder = folder_with_store(path);
-  write_paper_tables(std::cout, folder);
-  tell_left_out(folder);
+ExitStatus show_paper_tables(const WantedResults& wanted, OutputFormat format) {
+  Store store = results_of(folder_with_store(wanted.path), wanted.from);
+  if (format == OutputFormat::kText)
+    write_paper_tables(std::cout, store.connection());
+  else if (format == OutputFormat::kLatex)
+    write_latex_tables(std::cout, store.connection());
+  else
+    write_table(std::cout, comparison_rows(store.connection()), table_format(format));
+  tell_left_out(store.connection());
   return ExitStatus::kDone;
 }
 
-ExitStatus show_query(const std::filesystem::path& path, const std::string& sql, OutputFormat format) {
-  const auto folder = folder_with_store(path);
-  static_cast<void>(Store::open(folder, OpenMode::kReadOnly));  // so that what follows is the query's fault
+ExitStatus show_query(const WantedResults& wanted, const std::string& sql, OutputFormat format) {
+  Store store = results_of(folder_with_store(wanted.path), wanted.from);
   try {
-    write_table(std::cout, run_query(folder, sql), table_format(format));
+    write_table(std::cout, run_query(store.connection(), sql), table_format(format));
   } catch (const SqliteError& error) {
-    throw BadInput("query", {{"", error.what(), "one SQL statement that reads"}});
+    throw BadInput("query", {{"", error.what(), advice_for_query(store.connection(), error.what())}});
   }
   return ExitStatus::kDone;
 }
 
-ExitStatus export_campaign(const std::filesystem::path& path, OutputFormat format,
+ExitStatus export_campaign(const WantedResults& wanted, OutputFormat format,
                            const std::optional<std::filesystem::path>& file) {
-  const auto folder = folder_with_store(path);
-  const ResultTable results = export_results(folder);
-  tell_left_out(folder);
+  const auto folder = folder_with_store(wanted.path);
+  Store store = results_of(folder, wanted.from);
+  const ResultTable results = export_results(store.connection());
+  tell_left_out(store.connection());
   if (!file) {
     write_table(std::cout, results, table_format(format));
     return ExitStatus::kDone;

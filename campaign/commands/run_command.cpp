@@ -8,9 +8,9 @@
 #include "campaign/runner/campaign_lock.hpp"
 #include "campaign/runner/progress.hpp"
 #include "campaign/runner/runner.hpp"
-#include "campaign/store/query.hpp"
 #include "campaign/store/text_width.hpp"
 #include "campaign/system/shell_words.hpp"
+#include "campaign/tables/closing_table.hpp"
 #include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
@@ -20,12 +20,10 @@ std::string count(std::size_t number, const std::string& noun) {
   return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
 }
 
+/// The results with as many digits as their 95 % intervals call for.
 void print_results(const std::filesystem::path& folder) {
-  write_table(std::cout,
-              run_query(folder,
-                        "SELECT label AS \"case\", state, re_tau_w, re_tau, u_max, y_max, delta_u_plus,"
-                        " delta_max, delta_rms FROM results"),
-              TableFormat::kText);
+  Connection store = open_store_file(folder, OpenMode::kReadOnly);
+  write_closing_table(std::cout, store);
   std::cout << std::flush;
 }
 

@@ -1,8 +1,12 @@
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <thread>
 
 #include <nlohmann/json.hpp>
@@ -81,9 +85,40 @@ void print_json(const LoadedCampaign& loaded, const Snapshot& now) {
   std::cout << status.dump(2) << std::endl;
 }
 
-void print_text(const LoadedCampaign& loaded, const Snapshot& now) {
+/// Which cases a person looks for first.
+int rank_of(CaseState state) {
+  switch (state) {
+    case CaseState::kRunning:
+      return 0;
+    case CaseState::kFailed:
+    case CaseState::kDiverged:
+      return 1;
+    case CaseState::kInterrupted:
+      return 2;
+    case CaseState::kNew:
+      return 3;
+    case CaseState::kFinished:
+      break;
+  }
+  return 4;
+}
+
+/// At most so many cases, those that matter most now, in the order of the campaign.
+std::vector<std::size_t> chosen_cases(const std::vector<Observation>& observations, std::size_t most) {
+  std::vector<std::size_t> chosen(observations.size());
+  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+  if (chosen.size() <= most) return chosen;
+  std::ranges::stable_sort(chosen, {}, [&](std::size_t i) { return rank_of(observations[i].state); });
+  chosen.resize(most);
+  std::ranges::sort(chosen);
+  return chosen;
+}
+
+void print_text(const LoadedCampaign& loaded, const Snapshot& now,
+                std::size_t most = std::numeric_limits<std::size_t>::max()) {
   ResultTable table{{"case", "state", "t", "of", "%", "step", "attempts", "remark"}, {}};
-  for (std::size_t i = 0; i < now.observations.size(); ++i) {
+  const auto chosen = chosen_cases(now.observations, most);
+  for (const std::size_t i : chosen) {
     const Observation& seen = now.observations[i];
     const auto [time, step] = reached(now, seen);
     table.rows.push_back(
@@ -92,6 +127,8 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now) {
          std::int64_t{seen.attempts}, seen.state == CaseState::kFinished ? std::string() : seen.reason});
   }
   write_table(std::cout, table, TableFormat::kText);
+  if (const std::size_t more = now.observations.size() - chosen.size(); more > 0)
+    std::cout << "and " << more << " more cases: " << softwall_command("status", loaded.named) << "\n";
   std::cout << "\n"
             << describe_progress(loaded.campaign, now.observations, now.working, now.seconds_left) << "\n";
   if (now.owner) {
@@ -99,6 +136,15 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now) {
   } else if (now.seconds_left > 0) {
     std::cout << "Nobody runs it now. To go on:  " << softwall_command("resume", loaded.named) << std::endl;
   }
+}
+
+/// How many cases a terminal has lines for, beside the lines around their table, two of which may be long.
+std::size_t cases_on_terminal() {
+  constexpr std::size_t kOtherLines = 8;
+  winsize size{};
+  const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0;
+  if (!known) return std::numeric_limits<std::size_t>::max();
+  return size.ws_row > kOtherLines ? size.ws_row - kOtherLines : 1;
 }
 
 }  // namespace
@@ -112,11 +158,16 @@ ExitStatus show_status(const std::filesystem::path& path, bool json) {
 
 ExitStatus watch_status(const std::filesystem::path& path) {
   const LoadedCampaign loaded = load_campaign(path);
+  const bool terminal = isatty(STDOUT_FILENO) == 1;
+  bool seen_running = false;
   while (true) {
     const Snapshot now = look(loaded);
-    if (isatty(STDOUT_FILENO) == 1) std::cout << "\033[H\033[2J";
-    print_text(loaded, now);
-    if (!now.owner || !std::cout) return ExitStatus::kDone;
+    if (terminal) std::cout << "\033[H\033[2J";
+    print_text(loaded, now, terminal ? cases_on_terminal() : std::numeric_limits<std::size_t>::max());
+    const bool over = !now.owner && (seen_running || now.seconds_left <= 0);
+    if (over || !std::cout) return ExitStatus::kDone;
+    if (!now.owner) std::cout << "Waiting for a run to begin; Ctrl-C ends the waiting." << std::endl;
+    seen_running = seen_running || now.owner.has_value();
     std::this_thread::sleep_for(std::chrono::seconds(2));
   }
 }

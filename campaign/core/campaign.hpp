@@ -28,6 +28,8 @@ struct CampaignCase {
   bool is_precursor = false;
   std::string precursor_id;  ///< case whose last checkpoint starts this one; empty: starts by itself
   int ranks = 1;
+  std::string varied = "{}";  ///< what differs among the cases of its kind, with its own values, JSON
+  double window_start = 0.0;  ///< its averages begin with the first block that starts at or after this, h/U_b
 };
 
 struct Campaign {

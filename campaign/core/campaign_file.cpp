@@ -20,15 +20,15 @@ void add_case_mistakes(const CampaignSpec& spec, std::vector<Mistake>& mistakes)
 
 }  // namespace
 
-Campaign parse_campaign(const std::string& text, const std::string& source) {
+Campaign parse_campaign(const std::string& text, const std::string& source, const ExistingCases& existing) {
   CheckedSpec checked = check_spec(text, source);
-  if (checked.mistakes.empty()) return expand(checked.spec);
+  if (checked.mistakes.empty()) return expand(checked.spec, existing);
   if (checked.can_expand) add_case_mistakes(checked.spec, checked.mistakes);
   throw BadInput(source, std::move(checked.mistakes));
 }
 
-Campaign read_campaign(const std::filesystem::path& file) {
-  return parse_campaign(read_input_file(file), file.string());
+Campaign read_campaign(const std::filesystem::path& file, const ExistingCases& existing) {
+  return parse_campaign(read_input_file(file), file.string(), existing);
 }
 
 }  // namespace softwall::campaign

@@ -7,6 +7,7 @@
 
 #include "campaign/core/parameters.hpp"
 #include "solver/case/json_schema.hpp"
+#include "solver/case/json_text.hpp"
 #include "solver/case/time_comparison.hpp"
 
 namespace softwall::campaign {
@@ -30,15 +31,31 @@ double distance(const json& a, const json& b) {
   return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
 }
 
+/// 60, not 60.0, as a person writes it.
+std::string quoted_number(double number) { return quoted(normalised_number(number)); }
+
+/// When the first block of an averaging window begins; blocks follow each other from the first sample on.
+double first_block_start(const json& statistics, double window_start) {
+  const double first = statistics.at("start_time"), length = statistics.at("block_length");
+  if (has_reached(first, window_start)) return first;
+  return first + length * std::ceil((window_start - first) / length * (1 - kTimeRoundOff));
+}
+
 }  // namespace
 
-std::optional<Mistake> never_sampled(const json& filled) {
+std::optional<Mistake> never_sampled(const json& filled, double window_start) {
   const json& statistics = filled.at("physics").at("statistics");
-  const double start = statistics.at("start_time"), end = filled.at("run").at("end_time");
-  if (has_reached(start, end)) {
-    return Mistake{"/physics/statistics/start_time", quoted(statistics.at("start_time")),
+  const double end = filled.at("run").at("end_time");
+  if (has_reached(window_start, end)) {
+    return Mistake{"/physics/statistics/start_time", quoted_number(window_start),
                    "must be less than the end time, " + quoted(filled.at("run").at("end_time")) +
                        ", or no statistics are ever sampled"};
+  }
+  const double start = first_block_start(statistics, window_start);
+  if (has_reached(start, end)) {
+    return Mistake{"/physics/statistics/block_length", quoted(statistics.at("block_length")),
+                   "must be less, or no block begins between the averages' start, " +
+                       quoted_number(window_start) + ", and the end time, " + quoted_number(end)};
   }
   const json& step = filled.at("physics").at("time_step");
   if (!step.contains("fixed_dt")) return std::nullopt;

@@ -12,8 +12,8 @@
 namespace softwall::campaign {
 
 /// Why statistics of such a case could never be had, although it would be computed to its end. filled: a case
-/// document with all defaults, free of other mistakes.
-[[nodiscard]] std::optional<Mistake> never_sampled(const nlohmann::json& filled);
+/// document with all defaults, free of other mistakes. window_start: of its averages, h/U_b.
+[[nodiscard]] std::optional<Mistake> never_sampled(const nlohmann::json& filled, double window_start);
 
 /// Counts what each member of "exclude" has excluded.
 class ExclusionUse {

@@ -24,23 +24,24 @@ bool costs_nothing(const Observation& seen) {
 
 }  // namespace
 
-double measured_ns_per_cell_step(const Campaign& campaign, const std::vector<Observation>& observations,
-                                 const Physics& physics) {
-  double sum = 0;
-  int measured = 0;
+MeasuredSpeed::MeasuredSpeed(const Campaign& campaign, const std::vector<Observation>& observations) {
   for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
     const CampaignCase& one = campaign.cases[i];
-    const Physics& other = one.definition.physics;
-    const bool alike = other.flow == physics.flow && other.precision == physics.precision;
-    if (!alike || observations[i].seconds_per_step <= 0) continue;
-    sum += observations[i].seconds_per_step * one.ranks * 1e9 / cells_of(one);
-    ++measured;
+    if (observations[i].seconds_per_step <= 0) continue;
+    Sum& sum = sums_[{one.definition.physics.flow, one.definition.physics.precision}];
+    sum.ns += observations[i].seconds_per_step * one.ranks * 1e9 / cells_of(one);
+    ++sum.cases;
   }
-  return measured > 0 ? sum / measured : default_ns_per_cell_step(physics);
+}
+
+double MeasuredSpeed::ns_per_cell_step(const Physics& physics) const {
+  const auto found = sums_.find({physics.flow, physics.precision});
+  return found == sums_.end() ? default_ns_per_cell_step(physics) : found->second.ns / found->second.cases;
 }
 
 double remaining_seconds(const Campaign& campaign, const std::vector<Observation>& observations,
                          const std::map<std::string, Status>& working, int cores) {
+  const MeasuredSpeed speed(campaign, observations);
   double before = 0;   // precursors: everything else waits for them
   double longest = 0;  // no case can be split
   double core_seconds = 0;
@@ -51,7 +52,7 @@ double remaining_seconds(const Campaign& campaign, const std::vector<Observation
     double seconds =
         status == working.end() ? 0 : wall_seconds_left(status->second, one.definition.run.end_time);
     if (seconds == 0) {
-      const double ns = measured_ns_per_cell_step(campaign, observations, one.definition.physics);
+      const double ns = speed.ns_per_cell_step(one.definition.physics);
       const double reached = status == working.end() ? observations[i].time : status->second.time;
       seconds = estimate(one.definition, ns, reached).core_hours * 3600 / one.ranks;
     }

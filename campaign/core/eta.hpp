@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "campaign/core/campaign.hpp"
@@ -14,10 +15,21 @@ namespace softwall::campaign {
 [[nodiscard]] double remaining_seconds(const Campaign& campaign, const std::vector<Observation>& observations,
                                        const std::map<std::string, Status>& working, int cores);
 
-/// Core-nanoseconds per cell and step, the mean of what was measured for cases of the same flow and
-/// precision; the default of estimate.hpp when nothing was.
-[[nodiscard]] double measured_ns_per_cell_step(const Campaign& campaign,
-                                               const std::vector<Observation>& observations,
-                                               const Physics& physics);
+/// What was measured in a campaign.
+class MeasuredSpeed {
+ public:
+  MeasuredSpeed(const Campaign& campaign, const std::vector<Observation>& observations);
+
+  /// Core-nanoseconds per cell and step, the mean over cases of the same flow and precision; the default of
+  /// estimate.hpp when nothing was measured of them.
+  [[nodiscard]] double ns_per_cell_step(const Physics& physics) const;
+
+ private:
+  struct Sum {
+    double ns = 0;
+    int cases = 0;
+  };
+  std::map<std::pair<FlowType, Precision>, Sum> sums_;
+};
 
 }  // namespace softwall::campaign

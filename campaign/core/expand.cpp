@@ -18,8 +18,13 @@ namespace {
 using nlohmann::json;
 using Pointer = json::json_pointer;
 
-json document_of(const json& physics, const json& run) {
-  return {{"format", 1}, {"label", ""}, {"physics", physics}, {"run", run}};
+json document_of(json physics, json run) {
+  json document = json::object();
+  document["format"] = 1;
+  document["label"] = "";
+  document["physics"] = std::move(physics);
+  document["run"] = std::move(run);
+  return document;
 }
 
 json with_defaults(json document) {
@@ -41,13 +46,16 @@ void put(const Point& point, json& physics) {
 
 class Expansion {
  public:
-  explicit Expansion(const CampaignSpec& spec)
+  Expansion(const CampaignSpec& spec, const ExistingCases& existing)
       : spec_(spec),
+        existing_(existing),
         points_(sweep_points(spec.sweep)),
         swept_(swept_pointers(points_)),
         exclusions_(spec.sweep.at("exclude")) {}
 
   Campaign run() {
+    cases_.list.reserve(points_.size());
+    cases_.values.reserve(points_.size());
     for (const auto& point : points_) add(point);
     mistakes_.throw_if_any(spec_.source, points_.size());
     if (cases_.list.empty())
@@ -59,6 +67,7 @@ class Expansion {
     name(cases_, "");
     Campaign campaign{spec_.name, spec_.description, std::move(precursors_.list), spec_.execution,
                       spec_.text};
+    campaign.cases.reserve(campaign.cases.size() + cases_.list.size());
     for (auto& c : cases_.list) campaign.cases.push_back(std::move(c));
     make_labels_distinct(campaign);
     return campaign;
@@ -72,22 +81,32 @@ class Expansion {
     std::map<std::string, std::size_t> index;  ///< by id
   };
 
+  /// A case before it has been checked.
+  struct Candidate {
+    json written, filled;      ///< the document, without and with defaults
+    std::vector<json> values;  ///< by swept pointer, before it was made to start from a precursor
+    std::string precursor_id;
+  };
+
   void add(const Point& point) {
     json physics = spec_.physics;
     put(point, physics);
     if (!physics.contains("flow"))
       physics["flow"] = campaign_schema().part(Pointer("/physics/flow"))->at("default");
-    json document = document_of(physics, spec_.run);
-    const json wanted = with_defaults(document).at("physics");
+    json document = document_of(std::move(physics), spec_.run);
+    json filled = with_defaults(document);
+    const json& wanted = filled.at("physics");
     if (exclusions_.excludes(wanted)) return;
+    std::vector<json> values = values_of(wanted);
     std::string precursor_id;
     if (!spec_.precursor.is_null()) {
       precursor_id = add_precursor(point);
       document["physics"]["initial"] = {{"type", "precursor"},
                                         {"precursor", precursor_id},
                                         {"precursor_time", spec_.precursor.at("run").at("end_time")}};
+      filled = with_defaults(document);
     }
-    add_case(std::move(document), wanted, precursor_id, cases_);
+    add_case({std::move(document), std::move(filled), std::move(values), precursor_id}, cases_);
   }
 
   /// Id of the precursor that this point's case starts from; made if no earlier point needed the same.
@@ -104,23 +123,25 @@ class Expansion {
     json run = spec_.run;
     for (const auto& [key, value] : spec_.precursor.items())
       (key == "run" ? run : physics[key]).merge_patch(value);
-    const json document = document_of(physics, run);
-    return add_case(document, with_defaults(document).at("physics"), "", precursors_);
+    json document = document_of(std::move(physics), std::move(run));
+    json filled = with_defaults(document);
+    std::vector<json> values = values_of(filled.at("physics"));
+    return add_case({std::move(document), std::move(filled), std::move(values), ""}, precursors_);
   }
 
-  /// Checks a case and appends it unless it is there already. wanted: its physics before they were made to
-  /// start from a precursor. Returns its id.
-  std::string add_case(json document, const json& wanted, const std::string& precursor_id, Made& to) {
+  /// Checks a case and appends it unless it is there already. Returns its id.
+  std::string add_case(Candidate candidate, Made& to) {
+    auto& [written, document, values, precursor_id] = candidate;
     const bool is_precursor = &to == &precursors_;
-    std::vector<json> values = values_of(wanted);
     const auto refuse = [&](std::vector<Mistake> found) {
       mistakes_.add(swept_label(values), is_precursor ? "/precursor: " : "", std::move(found));
       return std::string(16, '0');  // lets the cases that start from it be checked all the same
     };
-    if (auto found = case_mistakes(document); !found.empty()) return refuse(std::move(found));
-    document = with_defaults(std::move(document));
-    if (auto never = never_sampled(document)) return refuse({*never});
+    if (auto found = case_mistakes(written); !found.empty()) return refuse(std::move(found));
     CampaignCase made;
+    made.window_start = document.at("physics").at("statistics").at("start_time");
+    sample_for_any_window(document.at("physics"));
+    if (auto never = never_sampled(document, made.window_start)) return refuse({*never});
     made.definition = valid_case(document);
     made.is_precursor = is_precursor;
     made.precursor_id = precursor_id;
@@ -134,6 +155,13 @@ class Expansion {
       note_merged(to.values[known->second], values);
     }
     return id;
+  }
+
+  /// What a case samples does not depend on the averaging window that is wanted of it now.
+  void sample_for_any_window(json& physics) const {
+    const StatisticsSpec sampled = existing_.statistics_for(physics);
+    physics["statistics"]["start_time"] = sampled.start_time;
+    physics["statistics"]["block_length"] = sampled.block_length;
   }
 
   /// Two points of the sweep are one case although they differ: what they differ in has no effect.
@@ -180,10 +208,14 @@ class Expansion {
       if (!first.empty()) label = first + (label.empty() ? "" : "_" + label);
       if (label.empty()) label = to_json(made.list[c].definition).at("physics").at("flow");
       made.list[c].definition.label = label;
+      nlohmann::ordered_json varied = nlohmann::ordered_json::object();
+      for (const auto& [parameter, value] : parameters) varied[parameter] = value;
+      made.list[c].varied = varied.dump();
     }
   }
 
   const CampaignSpec& spec_;
+  const ExistingCases& existing_;
   std::vector<Point> points_;
   std::vector<std::string> swept_;
   ExclusionUse exclusions_;
@@ -194,6 +226,8 @@ class Expansion {
 
 }  // namespace
 
-Campaign expand(const CampaignSpec& spec) { return Expansion(spec).run(); }
+Campaign expand(const CampaignSpec& spec, const ExistingCases& existing) {
+  return Expansion(spec, existing).run();
+}
 
 }  // namespace softwall::campaign

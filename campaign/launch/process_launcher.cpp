@@ -26,12 +26,27 @@ namespace {
 // Ranks notice the death of their mpirun after about one second (measured, Open MPI 4.1.4).
 constexpr double kRankGraceSeconds = 5.0;
 
-/// A log that many attempts have written into makes room for a new one; the one before is kept beside it.
-void keep_small(const std::filesystem::path& log) {
+bool is_too_large(const std::filesystem::path& log) {
   constexpr std::uintmax_t kLargest = 16U << 20U;
   std::error_code none;
   const auto size = std::filesystem::file_size(log, none);
-  if (!none && size > kLargest) std::filesystem::rename(log, log.string() + ".old", none);
+  return !none && size > kLargest;
+}
+
+/// A log that many attempts have written into makes room for a new one; the one before is kept beside it.
+void keep_small(const std::filesystem::path& log) {
+  std::error_code none;
+  if (is_too_large(log)) std::filesystem::rename(log, log.string() + ".old", none);
+}
+
+/// The same while an attempt writes it: it appends, so that it goes on at the new end. What it writes between
+/// the two steps is lost, and where the disk is full the copy, too.
+void keep_small_while_written(const std::filesystem::path& log) {
+  if (!is_too_large(log)) return;
+  std::error_code none;
+  std::filesystem::copy_file(log, log.string() + ".old", std::filesystem::copy_options::overwrite_existing,
+                             none);
+  std::filesystem::resize_file(log, 0, none);
 }
 
 /// Asks processes of one attempt to end.
@@ -110,7 +125,10 @@ void ProcessLauncher::note_end(Running& attempt) const {
 
 /// "mpirun is gone" does not mean that no rank is writing: waits for the last one, and helps after a while.
 std::vector<EndedAttempt> ProcessLauncher::collect() {
-  for (auto& [id, attempt] : running_) note_end(attempt);
+  for (auto& [id, attempt] : running_) {
+    note_end(attempt);
+    keep_small_while_written(RunFiles{attempt.run_directory}.log());
+  }
   if (std::ranges::none_of(running_, [](const auto& item) { return item.second.ended; })) return {};
   const ProcessesAtWork work = ProcessesAtWork::look();
   std::vector<EndedAttempt> ended;

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "campaign/core/label.hpp"
+#include "campaign/observe/case_directories.hpp"
 #include "campaign/observe/ladder.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/system/process_identity.hpp"
@@ -155,20 +156,6 @@ AttemptEnd end_from_summary(const Summary& summary, const CampaignCase& campaign
   return end;
 }
 
-constexpr std::size_t kIdDigits = 8;  // of a case id, at the end of its directory's name
-
-/// "cases/<label>-<digits>" by its digits, every one that is there.
-std::multimap<std::string, std::string> existing_directories(const std::filesystem::path& folder) {
-  std::multimap<std::string, std::string> found;
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "cases", none)) {
-    const std::string name = entry.path().filename();
-    if (name.size() <= kIdDigits + 1 || name[name.size() - kIdDigits - 1] != '-') continue;
-    if (entry.is_directory(none)) found.emplace(name.substr(name.size() - kIdDigits), "cases/" + name);
-  }
-  return found;
-}
-
 /// Few digits of an id may be those of two cases. A case file that is missing or damaged tells nothing.
 bool may_be_of(const std::filesystem::path& directory, const std::string& case_id) {
   try {
@@ -185,6 +172,7 @@ RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& camp
 }
 
 std::vector<bool> occupied(const std::vector<RunFiles>& runs, const Launcher& launcher) {
+  if (runs.empty()) return {};
   std::vector<AttemptPlace> places;
   std::vector<std::size_t> there;  // nobody works in a directory that has not been made
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -199,6 +187,8 @@ std::vector<bool> occupied(const std::vector<RunFiles>& runs, const Launcher& la
     found[there[k]] = presences[k] != Presence::kGone || lock_is_held(runs[there[k]].lock());
   return found;
 }
+
+bool solver_is_inside(const RunFiles& run) { return lock_is_held(run.lock()); }
 
 bool is_occupied(const RunFiles& run, const Launcher& launcher) { return occupied({run}, launcher).front(); }
 
@@ -249,14 +239,13 @@ Observation observe(const CampaignCase& campaign_case, const RunFiles& run, cons
   return observe_work(campaign_case, run, is_occupied(run, launcher));
 }
 
-std::vector<Observation> observe_all(const Campaign& campaign, const std::filesystem::path& folder,
-                                     const Launcher& launcher) {
+std::vector<Observation> observe_all(const std::vector<const CampaignCase*>& cases,
+                                     const std::filesystem::path& folder, const Launcher& launcher) {
   std::vector<RunFiles> runs;
-  for (const CampaignCase& one : campaign.cases) runs.push_back(run_files(folder, one));
+  for (const CampaignCase* one : cases) runs.push_back(run_files(folder, *one));
   const auto busy = occupied(runs, launcher);
   std::vector<Observation> all;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    all.push_back(observe_work(campaign.cases[i], runs[i], busy[i]));
+  for (std::size_t i = 0; i < runs.size(); ++i) all.push_back(observe_work(*cases[i], runs[i], busy[i]));
   return all;
 }
 

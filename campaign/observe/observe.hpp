@@ -20,6 +20,10 @@ namespace softwall::campaign {
 [[nodiscard]] std::vector<bool> occupied(const std::vector<RunFiles>& runs, const Launcher& launcher);
 [[nodiscard]] bool is_occupied(const RunFiles& run, const Launcher& launcher);
 
+/// Whether a solver has come as far as to hold the lock of the run directory: through MPI_Init and the case
+/// file.
+[[nodiscard]] bool solver_is_inside(const RunFiles& run);
+
 /// The state of one case as if nobody worked on it. Checkpoints are looked at by their headers only, and
 /// not at all where the case has finished and is no precursor.
 /// `attempts` is the newest attempt that left a trace; counting failures is the store's business.
@@ -32,7 +36,8 @@ namespace softwall::campaign {
 [[nodiscard]] Observation observe(const CampaignCase& campaign_case, const RunFiles& run,
                                   const Launcher& launcher);
 
-[[nodiscard]] std::vector<Observation> observe_all(const Campaign& campaign,
+/// The states of these, after one look at the processes of the machine.
+[[nodiscard]] std::vector<Observation> observe_all(const std::vector<const CampaignCase*>& cases,
                                                    const std::filesystem::path& folder,
                                                    const Launcher& launcher);
 

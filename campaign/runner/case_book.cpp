@@ -5,6 +5,7 @@
 
 #include "campaign/observe/observe.hpp"
 #include "campaign/store/import_results.hpp"
+#include "campaign/store/settled.hpp"
 #include "solver/case/time_comparison.hpp"
 
 namespace softwall::campaign {
@@ -14,7 +15,8 @@ CaseBook::CaseBook(Campaign campaign, std::filesystem::path folder, Store& store
       folder_(std::move(folder)),
       store_(store),
       progress_(progress),
-      observations_(campaign_.cases.size()) {
+      observations_(campaign_.cases.size()),
+      settled_(campaign_.cases.size(), false) {
   for (std::size_t i = 0; i < campaign_.cases.size(); ++i) {
     index_.emplace(campaign_.cases[i].definition.id, i);
     started_by_[campaign_.cases[i].precursor_id].push_back(i);
@@ -42,6 +44,14 @@ void CaseBook::look_at(const CampaignCase& one, const Observation& files, const 
   now.retry_allowed = now.retry_allowed && !paused_.contains(id) && !given_up_.contains(id);
   observations_[index_of(id)] = may_start_over_ ? without_lost_checkpoints(now) : now;
 }
+
+void CaseBook::settle(const CampaignCase& one, const CaseRecord& known) {
+  const std::size_t i = index_of(one.definition.id);
+  observations_[i] = settled_observation(one, known);
+  settled_[i] = true;
+}
+
+bool CaseBook::is_settled(const CampaignCase& one) const { return settled_[index_of(one.definition.id)]; }
 
 void CaseBook::mark_unfinished(const CampaignCase& one, const std::filesystem::path& last_checkpoint,
                                const std::string& reason) {

@@ -37,6 +37,9 @@ class CaseBook {
   /// cases it has started or adopted, and has ended all others before.
   void look_at(const CampaignCase& one);
   void look_at(const CampaignCase& one, const Observation& files, const CaseRecord& known);
+  /// What it has left is taken from the store (store/settled.hpp).
+  void settle(const CampaignCase& one, const CaseRecord& known);
+  [[nodiscard]] bool is_settled(const CampaignCase& one) const;
   void mark_running(const CampaignCase& one);
   /// It has finished, but goes on from its last checkpoint, because something that it left is missing.
   void mark_unfinished(const CampaignCase& one, const std::filesystem::path& last_checkpoint,
@@ -67,6 +70,7 @@ class CaseBook {
   std::vector<Observation> observations_;
   std::unordered_map<std::string, std::size_t> index_;                    ///< by case id
   std::unordered_map<std::string, std::vector<std::size_t>> started_by_;  ///< by the precursor's id
+  std::vector<bool> settled_;  ///< in the order of campaign().cases
   bool may_start_over_ = false;
   std::map<std::string, std::string> given_up_, paused_;  ///< case id -> reason
 };

@@ -68,7 +68,9 @@ RunnerReport Runner::run() {
         start_as_many_as_fit();
       }
       if (launcher_.idle()) return report();
+      read_reports();
       end_stalled();
+      import_on_the_way();
       show_progress();
       signals_.wait(options_.poll);
     }
@@ -164,8 +166,12 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
   try {
     const Handle handle = launcher_.start(
         {id, run.directory, attempt, action.ranks, book_.campaign().execution.walltime_seconds});
-    working_[id] = {attempt,      action.ranks,        handle,      first_step,
-                    std::nullopt, monotonic_seconds(), std::nullopt};
+    AttemptWatch& watch = working_[id];
+    watch.attempt = attempt;
+    watch.ranks = action.ranks;
+    watch.handle = handle;
+    watch.first_step = watch.imported_step = first_step;
+    watch.moved_at = monotonic_seconds();
     write_run_record(run, {id, attempt, handle, host_name(), utc_now()});
     store_.attempt_started(id, attempt, handle);
   } catch (const std::runtime_error& error) {
@@ -192,7 +198,7 @@ void Runner::record_end(const EndedAttempt& ended) {
   const bool stopping = signals_.stop_requests() > 0;
   if (watch.end && end.outcome != AttemptOutcome::kFinished) {
     end.outcome = AttemptOutcome::kStalled;
-    end.reason = "made no step for " + describe_duration(options_.stall_seconds);
+    end.reason = watch.why_ended;
   } else if (stopping && failed_by_itself(end.outcome) && end.outcome != AttemptOutcome::kIoFailure) {
     end.outcome = AttemptOutcome::kInterrupted;
     end.reason = "stopped on request before it had written a checkpoint";
@@ -200,9 +206,12 @@ void Runner::record_end(const EndedAttempt& ended) {
     end.outcome = AttemptOutcome::kFailed;  // a limit too short for a single step would be retried for ever
     end.reason = "interrupted before its first step (" + end.reason + ")";
   }
+  Transaction together(
+      store_.connection());  // durable at once; what a crash leaves out is found in the files
   store_.end_attempt(ended.case_id, watch.attempt, end);
   keep_history(one);
   record_state(one, end);
+  together.commit();
 }
 
 /// The state of a case after an attempt, in the store and for the plan; what a person should know about it.
@@ -222,7 +231,10 @@ void Runner::record_state(const CampaignCase& one, const AttemptEnd& end) {
                   end.outcome == AttemptOutcome::kFinished      ? Progress::Kind::kGood
                   : end.outcome == AttemptOutcome::kInterrupted ? Progress::Kind::kPlain
                                                                 : Progress::Kind::kBad);
-  if (book_.seen(one).state == CaseState::kFinished) deliver_result(one);
+  if (book_.seen(one).state == CaseState::kFinished)
+    deliver_result(one);
+  else if (end.outcome != AttemptOutcome::kDiverged)
+    import_result_so_far(store_, one, run);
 }
 
 void Runner::deliver_result(const CampaignCase& one) {
@@ -270,18 +282,53 @@ void Runner::pass_on_stop() {
   for (const auto& [id, watch] : working_) ask_to_end(id, watch, *level);
 }
 
+void Runner::read_reports() {
+  const double now = monotonic_seconds();
+  for (auto& [id, watch] : working_) {
+    const auto status = read_status(book_.files_of(book_.find(id)), id);
+    if (status && status->attempt == watch.attempt) watch.report(*status, now);
+    watch.begun = watch.begun || watch.status || solver_is_inside(book_.files_of(book_.find(id)));
+  }
+}
+
+/// The solver leaves its averages beside every checkpoint: a case can be judged, and its window chosen,
+/// before it ends.
+void Runner::import_on_the_way() {
+  const double now = monotonic_seconds();
+  for (auto& [id, watch] : working_) {
+    if (!watch.status || watch.status->checkpoint_step <= watch.imported_step) continue;
+    if (now - watch.imported_at < options_.import_seconds) continue;
+    watch.imported_step = watch.status->checkpoint_step;
+    watch.imported_at = now;
+    const CampaignCase& one = book_.find(id);
+    import_result_so_far(store_, one, book_.files_of(one));
+  }
+}
+
+/// Ranks that never leave MPI_Init write nothing and take no request: they are noticed long before a step
+/// would be missed. An attempt that waits in a queue is none of them.
+void Runner::end_if_stalled(const CampaignCase& one, AttemptWatch& watch, double now) {
+  StopGrace grace = grace_of_a_stalled_one(options_);
+  if (watch.is_stalled(now, options_.stall_seconds)) {
+    watch.why_ended = "made no step for " + describe_duration(options_.stall_seconds);
+  } else if (!watch.begun && watch.is_stalled(now, options_.begin_seconds) &&
+             launcher_.presence(book_.files_of(one).directory, watch.handle) == Presence::kRunning) {
+    watch.why_ended =
+        "its ranks did not get through MPI_Init in " + describe_duration(options_.begin_seconds);
+    grace.checkpoint_seconds = 0;  // there is nothing to write
+  } else {
+    return;
+  }
+  progress_.event(one.definition.label + ": " + watch.why_ended + "; ending this attempt",
+                  Progress::Kind::kBad);
+  watch.end.emplace(grace, now);
+}
+
 void Runner::end_stalled() {
   const double now = monotonic_seconds();
   for (auto& [id, watch] : working_) {
     const CampaignCase& one = book_.find(id);
-    const auto status = read_status(book_.files_of(one), id);
-    if (status && status->attempt == watch.attempt) watch.report(*status, now);
-    if (!watch.end && watch.is_stalled(now, options_.stall_seconds)) {
-      progress_.event(one.definition.label + ": no step for " + describe_duration(options_.stall_seconds) +
-                          "; ending this attempt",
-                      Progress::Kind::kBad);
-      watch.end.emplace(grace_of_a_stalled_one(options_), now);
-    }
+    if (!watch.end) end_if_stalled(one, watch, now);
     if (!watch.end) continue;
     if (const auto level = watch.end->due(now)) ask_to_end(id, watch, *level);
   }

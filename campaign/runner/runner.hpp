@@ -22,7 +22,10 @@ namespace softwall::campaign {
 struct RunnerOptions {
   double stall_seconds =
       1800.0;  ///< an attempt without a new step for this long is ended; much longer than a step
+  /// An attempt whose ranks run but do not get through MPI_Init for this long is ended.
+  double begin_seconds = 180.0;
   StopGrace grace;
+  double import_seconds = 5.0;  ///< of a case at work, results are not recorded more often than this
   std::chrono::milliseconds poll{200};
   bool start_over = false;      ///< cases may start from the beginning although they had checkpoints
   double store_seconds = 10.0;  ///< how long a locked store is waited for once the user has asked to stop
@@ -50,6 +53,7 @@ class Runner {
 
  private:
   bool take_stock();
+  void find_settled();
   [[nodiscard]] bool end_what_is_not_adopted();
   void record_what_is_new();
   [[nodiscard]] bool adopt(const CampaignCase& one);
@@ -63,7 +67,10 @@ class Runner {
   [[nodiscard]] bool repair_statistics(const CampaignCase& one, const std::string& trouble);
   void ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level);
   void pass_on_stop();
+  void read_reports();
+  void end_if_stalled(const CampaignCase& one, AttemptWatch& watch, double now);
   void end_stalled();
+  void import_on_the_way();
   void end_all();
   [[nodiscard]] bool wait_for_store();
   [[nodiscard]] RunnerReport pause_for_store(const SqliteError& error);

@@ -1,8 +1,11 @@
+#include <algorithm>
+
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/runner/orphans.hpp"
 #include "campaign/runner/runner.hpp"
 #include "campaign/store/import_results.hpp"
+#include "campaign/store/settled.hpp"
 #include "campaign/system/clock.hpp"
 
 /// What the runner does before it starts anything.
@@ -12,6 +15,7 @@ namespace softwall::campaign {
 bool Runner::take_stock() {
   const auto& cases = book_.campaign().cases;
   store_.record_campaign(book_.campaign());
+  find_settled();
   const bool ready = end_what_is_not_adopted();
   if (!ready) {
     for (const CampaignCase& one : cases) {
@@ -25,22 +29,41 @@ bool Runner::take_stock() {
   const auto origins = store_.result_origins();
   Transaction together(store_.connection());
   for (const CampaignCase& one : cases) {
-    if (book_.seen(one).state != CaseState::kFinished) continue;
+    const CaseState state = book_.seen(one).state;
+    if (state == CaseState::kInterrupted || state == CaseState::kFailed)
+      import_result_so_far(store_, one, book_.files_of(one));
+    if (state != CaseState::kFinished) continue;
     const auto origin = origins.find(one.definition.id);
-    if (origin == origins.end() || !is_recorded(origin->second, book_.files_of(one))) deliver_result(one);
+    if (origin == origins.end() || !is_recorded(origin->second, one, book_.files_of(one)))
+      deliver_result(one);
   }
   together.commit();
   return true;
 }
 
+/// Of those nothing is opened, asked or written.
+void Runner::find_settled() {
+  const auto records = store_.all_cases();
+  for (const CampaignCase& one : book_.campaign().cases) {
+    const CaseRecord& known = records.at(one.definition.id);
+    if (is_settled(one, known, book_.files_of(one))) book_.settle(one, known);
+  }
+}
+
 /// The store is brought up to the run directories. A case that it knows to have finished, in the attempt that
 /// the files tell of, needs nothing.
 void Runner::record_what_is_new() {
+  const auto is_settled = [&](const CampaignCase& one) { return book_.is_settled(one); };
+  if (std::ranges::all_of(book_.campaign().cases, is_settled)) return;
   Transaction together(store_.connection());
   const auto before = store_.all_cases();
   std::vector<Observation> seen;
   for (const CampaignCase& one : book_.campaign().cases) {
     const std::string& id = one.definition.id;
+    if (is_settled(one)) {
+      seen.push_back(book_.seen(one));
+      continue;
+    }
     const RunFiles run = book_.files_of(one);
     seen.push_back(observe_files(one, run));
     const auto known = before.find(id);
@@ -54,6 +77,7 @@ void Runner::record_what_is_new() {
   const auto after = store_.all_cases();
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const CampaignCase& one = book_.campaign().cases[i];
+    if (is_settled(one)) continue;
     book_.look_at(one, seen[i], after.at(one.definition.id));
     if (working_.contains(one.definition.id)) book_.mark_running(one);
   }
@@ -63,7 +87,7 @@ void Runner::record_what_is_new() {
 bool Runner::end_what_is_not_adopted() {
   std::vector<WorkPlace> others;
   for (const CampaignCase& one : book_.campaign().cases) {
-    if (!adopt(one)) others.push_back({one.definition.label, book_.files_of(one)});
+    if (!book_.is_settled(one) && !adopt(one)) others.push_back({one.definition.label, book_.files_of(one)});
   }
   return end_orphans(others, launcher_, options_.grace, signals_, progress_);
 }

@@ -13,7 +13,6 @@
 #include "campaign/observe/ladder.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
-#include "campaign/system/clock.hpp"
 #include "solver/run_directory/build_info.hpp"
 #include "solver/run_directory/statistics_file.hpp"
 
@@ -62,17 +61,27 @@ std::string_view seconds_of(std::string_view time) {
   return time.substr(0, std::strlen("2026-01-31T23:59:59"));
 }
 
+bool is_same_window(const ResultOrigin& origin, const analysis::DerivedQuantities& derived) {
+  return origin.analysis_version == analysis::kAnalysisVersion &&
+         origin.window_asked == derived.window_asked && origin.window_start == derived.window_start &&
+         origin.window_end == derived.window_end;
+}
+
 /// The same window, and recorded after the attempt ended: two attempts can end within a second, and a window
 /// whose last block has only grown keeps its ends. Deriving again is cheap and harmless. (UTC in the same
 /// form, so that the order of the texts is the order in time.)
 bool is_current(const ResultOrigin& origin, const analysis::DerivedQuantities& derived,
                 const Summary& summary) {
-  return origin.analysis_version == analysis::kAnalysisVersion &&
-         seconds_of(origin.recorded) >= seconds_of(summary.ended) &&
-         origin.window_start == derived.window_start && origin.window_end == derived.window_end;
+  return is_same_window(origin, derived) && seconds_of(origin.recorded) >= seconds_of(summary.ended);
 }
 
 }  // namespace
+
+analysis::DeriveOptions window_of(const CampaignCase& one) {
+  analysis::DeriveOptions options;
+  if (one.window_start > 0) options.window_start = one.window_start;
+  return options;
+}
 
 void import_history(Store& store, const CampaignCase& one, const RunFiles& run, const Observation& seen) {
   const std::string& id = one.definition.id;
@@ -92,23 +101,40 @@ bool import_result(Store& store, const CampaignCase& one, const RunFiles& run) {
   if (!statistics.case_id.empty() && statistics.case_id != id) {
     throw std::runtime_error(run.statistics().string() + " belongs to another case, " + statistics.case_id);
   }
-  const auto derived = analysis::derive(statistics);
+  const auto derived = analysis::derive(statistics, window_of(one));
   const auto origin = store.result_origin(id);
   if (origin && is_current(*origin, derived, *summary)) return false;
   store.record_result(id, derived, build_info().git_revision);
   return true;
 }
 
-bool is_recorded(const ResultOrigin& origin, const RunFiles& run) {
-  if (origin.analysis_version != analysis::kAnalysisVersion) return false;
+bool import_result_so_far(Store& store, const CampaignCase& one, const RunFiles& run) {
+  const std::string& id = one.definition.id;
+  if (!std::filesystem::exists(run.statistics())) return false;
+  analysis::DerivedQuantities derived;
+  try {
+    const auto statistics = analysis::read_statistics(run.statistics());
+    if (statistics.case_id != id) return false;
+    derived = analysis::derive(statistics, window_of(one));
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+  const auto origin = store.result_origin(id);
+  if (origin && is_same_window(*origin, derived)) return false;
+  store.record_result(id, derived, build_info().git_revision);
+  return true;
+}
+
+bool is_recorded(const ResultOrigin& origin, const CampaignCase& one, const RunFiles& run) {
+  if (origin.analysis_version != analysis::kAnalysisVersion || origin.window_asked != one.window_start)
+    return false;
   for (const auto& file : {run.statistics(), run.summary()}) {
     // The time of change, which nobody can set, unlike that of modification.
     struct stat status {};
     if (stat(file.c_str(), &status) != 0) return false;
-    const auto since_epoch =
+    const auto since_1970 =
         std::chrono::seconds(status.st_ctim.tv_sec) + std::chrono::nanoseconds(status.st_ctim.tv_nsec);
-    const std::chrono::system_clock::time_point changed(since_epoch);
-    if (utc_text(changed) >= origin.recorded) return false;
+    if (utc_text(std::chrono::floor<std::chrono::milliseconds>(since_1970)) >= origin.recorded) return false;
   }
   return true;
 }

@@ -19,9 +19,17 @@ void import_history(Store& store, const CampaignCase& campaign_case, const RunFi
 /// this run. True when it was derived now. Throws std::runtime_error when the statistics cannot be used.
 bool import_result(Store& store, const CampaignCase& campaign_case, const RunFiles& run);
 
+/// The averages so far of a case that has not finished, unless the store has them already. False where there
+/// are none yet, or none that can be used: they are a help and prove nothing. Throws SqliteError.
+bool import_result_so_far(Store& store, const CampaignCase& campaign_case, const RunFiles& run);
+
+/// The averaging window that the campaign wants of a case.
+[[nodiscard]] analysis::DeriveOptions window_of(const CampaignCase& campaign_case);
+
 /// True where nothing can have changed since the result was recorded, so that import_result() need not read
 /// the statistics. Asks the file system alone.
-[[nodiscard]] bool is_recorded(const ResultOrigin& origin, const RunFiles& run);
+[[nodiscard]] bool is_recorded(const ResultOrigin& origin, const CampaignCase& campaign_case,
+                               const RunFiles& run);
 
 /// Whether statistics.h5 of a case cannot be used: missing, damaged, or of another case.
 [[nodiscard]] bool statistics_are_damaged(const RunFiles& run, const std::string& case_id);

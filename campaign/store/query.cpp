@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <vector>
 
-#include "campaign/store/store_file.hpp"
+#include "solver/case/spelling.hpp"
 
 namespace softwall::campaign {
 
@@ -92,10 +93,20 @@ ResultTable fetch(Statement& statement) {
   return table;
 }
 
+/// Columns, or tables and views, those of `results` first: of words equally near, the first is suggested.
+std::vector<std::string> names_in(Connection& store, bool columns) {
+  Statement rows =
+      store.prepare(columns ? "SELECT DISTINCT column_name FROM documentation WHERE column_name <> ''"
+                              " ORDER BY object <> 'results_all'"
+                            : "SELECT name FROM sqlite_schema WHERE type IN ('table', 'view')");
+  std::vector<std::string> names;
+  while (rows.step()) names.push_back(rows.text(0));
+  return names;
+}
+
 }  // namespace
 
-ResultTable run_query(const std::filesystem::path& campaign_directory, std::string_view sql) {
-  Connection connection = open_store_file(campaign_directory, OpenMode::kReadOnly);
+ResultTable run_query(Connection& connection, std::string_view sql) {
   if (sql.find('\0') != std::string_view::npos) refuse(connection, "the query holds a NUL character");
   sqlite3_set_authorizer(connection.handle(), allow_reading, nullptr);
   Statement statement = prepare_for_reading(connection, sql);
@@ -104,13 +115,25 @@ ResultTable run_query(const std::filesystem::path& campaign_directory, std::stri
   return fetch(statement);
 }
 
-std::int64_t left_out(const std::filesystem::path& campaign_directory) {
-  return open_store_file(campaign_directory, OpenMode::kReadOnly)
-      .integer("SELECT count(*) FROM results_all WHERE in_campaign = 0 AND window_start IS NOT NULL");
+std::string advice_for_query(Connection& store, const std::string& refusal) {
+  constexpr std::string_view kColumn = "no such column: ", kTable = "no such table: ";
+  const bool column = refusal.find(kColumn) != std::string::npos;
+  const std::string_view marker = column ? kColumn : kTable;
+  const auto found = refusal.find(marker);
+  if (found == std::string::npos) return "one SQL statement that reads";
+  std::string name = refusal.substr(found + marker.size());
+  name = name.substr(0, name.find_first_of(" ;,\n"));  // SQLite's code stands behind it
+  name = name.substr(name.rfind('.') + 1);             // "results.re_tua"
+  const auto near = suggestion(name, names_in(store, column));
+  if (near) return "did you mean " + *near + "?";
+  return column ? "SELECT object, column_name, unit, meaning FROM documentation lists all columns"
+                : "SELECT DISTINCT object FROM documentation lists all tables";
 }
 
-ResultTable export_results(const std::filesystem::path& campaign_directory) {
-  return run_query(campaign_directory, "SELECT * FROM results");
+std::int64_t left_out(Connection& store) {
+  return store.integer("SELECT count(*) FROM results_all WHERE in_campaign = 0 AND window_start IS NOT NULL");
 }
+
+ResultTable export_results(Connection& store) { return run_query(store, "SELECT * FROM results"); }
 
 }  // namespace softwall::campaign

@@ -110,10 +110,32 @@ std::int64_t Connection::integer(std::string_view sql) {
 
 int Connection::changes() const { return sqlite3_changes(handle_.get()); }
 
-void Statement::Finalize::operator()(sqlite3_stmt* handle) const { sqlite3_finalize(handle); }
+StatementPool::~StatementPool() {
+  for (const auto& [sql, statement] : idle_) sqlite3_finalize(statement);
+}
 
-Statement::Statement(const Connection& connection, std::string_view sql)
-    : file_(connection.file()), connection_(connection.handle()) {
+sqlite3_stmt* StatementPool::take(std::string_view sql) {
+  const auto found = idle_.find(sql);
+  if (found == idle_.end()) return nullptr;
+  sqlite3_stmt* const statement = found->second;
+  idle_.erase(found);
+  return statement;
+}
+
+void StatementPool::give_back(sqlite3_stmt* statement) {
+  sqlite3_reset(statement);  // repeats the error of the last step, which step() has thrown already
+  sqlite3_clear_bindings(statement);
+  if (!idle_.try_emplace(sqlite3_sql(statement), statement).second) sqlite3_finalize(statement);
+}
+
+void Statement::Finalize::operator()(sqlite3_stmt* handle) const {
+  pool != nullptr ? pool->give_back(handle) : static_cast<void>(sqlite3_finalize(handle));
+}
+
+Statement::Statement(const Connection& connection, std::string_view sql, StatementPool* pool)
+    : file_(connection.file()), connection_(connection.handle()), handle_(nullptr, Finalize{pool}) {
+  if (pool != nullptr) handle_.reset(pool->take(sql));
+  if (handle_ != nullptr) return;
   sqlite3_stmt* handle = nullptr;
   const int code =
       sqlite3_prepare_v2(connection_, sql.data(), static_cast<int>(sql.size()), &handle, nullptr);

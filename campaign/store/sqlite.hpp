@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -33,6 +34,23 @@ class SqliteError : public std::runtime_error {
 class Statement;
 
 enum class Access { kReadOnly, kReadWrite };
+
+/// Prepared statements that nobody uses at the moment, by their SQL: a store asks the same few questions for
+/// every case, and understanding one takes SQLite longer than answering it.
+class StatementPool {
+ public:
+  StatementPool() = default;
+  ~StatementPool();
+  StatementPool(const StatementPool&) = delete;
+  StatementPool& operator=(const StatementPool&) = delete;
+  /// Null when there is none.
+  [[nodiscard]] sqlite3_stmt* take(std::string_view sql);
+  /// Takes ownership.
+  void give_back(sqlite3_stmt* statement);
+
+ private:
+  std::map<std::string, sqlite3_stmt*, std::less<>> idle_;
+};
 
 class Connection {
  public:
@@ -74,12 +92,15 @@ class Connection {
   std::filesystem::path file_;
   std::unique_ptr<std::function<bool()>> wait_again_;  ///< where SQLite knows it to be; outlives the handle
   std::unique_ptr<sqlite3, Close> handle_;
+  std::unique_ptr<StatementPool> pool_ =
+      std::make_unique<StatementPool>();  ///< empty before the handle closes
 };
 
 /// A prepared statement; must not outlive its Connection. Parameters count from 1, columns from 0.
 class Statement {
  public:
-  Statement(const Connection& connection, std::string_view sql);
+  /// pool: where it is taken from and goes back to; none: it is prepared, and gone with this object.
+  Statement(const Connection& connection, std::string_view sql, StatementPool* pool = nullptr);
 
   void bind(int index, std::nullptr_t);
   void bind(int index, bool value) { bind(index, static_cast<std::int64_t>(value)); }
@@ -120,6 +141,7 @@ class Statement {
 
  private:
   struct Finalize {
+    StatementPool* pool = nullptr;
     void operator()(sqlite3_stmt* handle) const;
   };
   void check(int code, const char* attempted) const;
@@ -147,7 +169,7 @@ class Transaction {
 
 template <class... Values>
 Statement Connection::query(std::string_view sql, const Values&... values) {
-  Statement statement(*this, sql);
+  Statement statement(*this, sql, pool_.get());
   statement.bind_all(values...);
   return statement;
 }

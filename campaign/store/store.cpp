@@ -1,8 +1,11 @@
 #include "campaign/store/store.hpp"
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "campaign/core/words.hpp"
+#include "campaign/store/backup.hpp"
 #include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
@@ -42,17 +45,17 @@ void write_case(Connection& connection, const CampaignCase& campaign_case) {
   }
   connection.run(
       "INSERT INTO cases (case_id, label, directory, is_precursor, precursor_id, flow, G, viscosity_ratio,"
-      " reynolds, grid, cells, end_time, ranks, physics, run, state_since, created)"
-      " VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?16)"
+      " reynolds, grid, cells, end_time, ranks, physics, run, state_since, created, varied)"
+      " VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?16, ?17)"
       " ON CONFLICT (case_id) DO UPDATE SET label = excluded.label, directory = excluded.directory,"
       " is_precursor = excluded.is_precursor, precursor_id = excluded.precursor_id,"
       " end_time = excluded.end_time, ranks = excluded.ranks, physics = excluded.physics,"
-      " run = excluded.run, in_campaign = 1",
+      " run = excluded.run, varied = excluded.varied, in_campaign = 1",
       definition.id, definition.label, campaign_case.directory, campaign_case.is_precursor,
       if_any(campaign_case.precursor_id), json.at("physics").at("flow").get<std::string>(), modulus,
       viscosity_ratio, physics.reynolds, grid_text(physics.grid), cell_count(physics.grid),
       definition.run.end_time, campaign_case.ranks, json.at("physics").dump(), json.at("run").dump(),
-      utc_now());
+      utc_now(), campaign_case.varied);
 }
 
 void write_state(Connection& connection, const std::string& case_id, CaseState state,
@@ -106,7 +109,29 @@ Store Store::open(const std::filesystem::path& campaign_directory, OpenMode mode
   return Store(open_store_file(campaign_directory, mode));
 }
 
+Store Store::copy_in_memory(const std::filesystem::path& campaign_directory) {
+  Connection file = open_store_file(campaign_directory, OpenMode::kReadOnly);
+  return Store(softwall::campaign::copy_in_memory(file));
+}
+
+/// Whether the store holds this very campaign, so that not one of its cases has to be written.
+bool Store::has_recorded(const Campaign& campaign) const {
+  Statement spec = connection_.prepare("SELECT spec FROM campaign");
+  if (!spec.step() || spec.text(0) != campaign.spec_text) return false;
+  std::unordered_map<std::string, std::array<std::string, 3>> known;
+  Statement rows =
+      connection_.prepare("SELECT case_id, label, directory, varied FROM cases WHERE in_campaign = 1");
+  while (rows.step()) known[rows.text(0)] = {rows.text(1), rows.text(2), rows.text(3)};
+  return known.size() == campaign.cases.size() &&
+         std::ranges::all_of(campaign.cases, [&](const CampaignCase& one) {
+           const auto found = known.find(one.definition.id);
+           return found != known.end() &&
+                  found->second == std::array{one.definition.label, one.directory, one.varied};
+         });
+}
+
 void Store::record_campaign(const Campaign& campaign) {
+  if (has_recorded(campaign)) return;
   Transaction transaction(connection_);
   connection_.run(
       "INSERT INTO campaign (id, name, spec, created, updated) VALUES (1, ?1, ?2, ?3, ?3)"

@@ -47,13 +47,16 @@ struct OpenAttempt {
 struct ResultOrigin {
   int analysis_version = 0;
   double window_start = 0.0, window_end = 0.0;  ///< [h/U_b]
-  std::string recorded;                         ///< ISO 8601 UTC, with microseconds
+  std::optional<double> window_asked;           ///< where the window was to start [h/U_b]; empty: not known
+  std::string recorded;                         ///< ISO 8601 UTC
 };
 
 class Store {
  public:
   /// Opens results.db of a campaign directory. The directory must exist.
   [[nodiscard]] static Store open(const std::filesystem::path& campaign_directory, OpenMode mode);
+  /// All of it in memory, to be changed at will.
+  [[nodiscard]] static Store copy_in_memory(const std::filesystem::path& campaign_directory);
 
   /// The campaign row and all its cases in one transaction. New cases get state new; of known ones only
   /// label, directory and run parameters are renewed, and states, attempts and results stay. Cases of an
@@ -84,6 +87,8 @@ class Store {
   /// Replaces the result of a case. git_revision: of the manager that analysed.
   void record_result(const std::string& case_id, const analysis::DerivedQuantities& derived,
                      const std::string& git_revision);
+  /// The case is then one without a result.
+  void remove_result(const std::string& case_id);
 
   [[nodiscard]] std::optional<CaseRecord> find_case(const std::string& case_id) const;
   /// All cases, by id.
@@ -105,6 +110,7 @@ class Store {
   [[nodiscard]] Connection& connection() { return connection_; }
 
  private:
+  [[nodiscard]] bool has_recorded(const Campaign& campaign) const;
   explicit Store(Connection connection) : connection_(std::move(connection)) {}
   mutable Connection connection_;
 };

@@ -1,5 +1,4 @@
 #include "campaign/store/store.hpp"
-#include "campaign/system/clock.hpp"
 #include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
@@ -13,20 +12,33 @@ struct Detail {
   std::string_view name;
   double DerivedQuantities::*member;
 };
-constexpr std::array<Detail, 6> kDetails = {{
+constexpr std::array<Detail, 7> kDetails = {{
     {"log_range_low_plus", &DerivedQuantities::log_range_low_plus},
     {"log_range_high_plus", &DerivedQuantities::log_range_high_plus},
     {"log_residual", &DerivedQuantities::log_residual},
     {"log_intercept", &DerivedQuantities::log_intercept},
     {"stress_balance_residual", &DerivedQuantities::stress_balance_residual},
     {"sampled_time", &DerivedQuantities::sampled_time},
+    {"window_asked", &DerivedQuantities::window_asked},
 }};
+
+/// Every result has the quantity "batches", and those of one result have the same origin. Results of earlier
+/// versions do not say which window was asked for.
+std::string origins_query() {
+  return "SELECT q.case_id, q.analysis_version, q.window_start, q.window_end, q.recorded, w.value"
+         " FROM quantities q LEFT JOIN quantities w ON w.case_id = q.case_id AND w.quantity = 'window_asked'"
+         " WHERE q.quantity = 'batches'";
+}
+
+ResultOrigin origin_in(const Statement& row) {
+  return {static_cast<int>(row.integer(1)), row.real(2), row.real(3), row.optional_real(5), row.text(4)};
+}
 
 }  // namespace
 
 void Store::record_result(const std::string& case_id, const DerivedQuantities& derived,
                           const std::string& git_revision) {
-  const std::string now = utc_text(std::chrono::system_clock::now());
+  const std::string now = utc_now();
   const auto write = [&](std::string_view quantity, double value, std::optional<double> ci95) {
     connection_.run(
         "INSERT INTO quantities (case_id, quantity, value, ci95, window_start, window_end, blocks, note,"
@@ -44,23 +56,20 @@ void Store::record_result(const std::string& case_id, const DerivedQuantities& d
   transaction.commit();
 }
 
+void Store::remove_result(const std::string& case_id) {
+  connection_.run("DELETE FROM quantities WHERE case_id = ?", case_id);
+}
+
 std::optional<ResultOrigin> Store::result_origin(const std::string& case_id) const {
-  Statement found = connection_.query(
-      "SELECT analysis_version, window_start, window_end, recorded FROM quantities WHERE case_id = ? LIMIT 1",
-      case_id);
+  Statement found = connection_.query(origins_query() + " AND q.case_id = ?", case_id);
   if (!found.step()) return std::nullopt;
-  return ResultOrigin{static_cast<int>(found.integer(0)), found.real(1), found.real(2), found.text(3)};
+  return origin_in(found);
 }
 
 std::unordered_map<std::string, ResultOrigin> Store::result_origins() const {
-  // Every result has this quantity; those of one result have the same origin.
-  Statement rows = connection_.prepare(
-      "SELECT case_id, analysis_version, window_start, window_end, recorded FROM quantities"
-      " WHERE quantity = 'batches'");
+  Statement rows = connection_.prepare(origins_query());
   std::unordered_map<std::string, ResultOrigin> all;
-  while (rows.step()) {
-    all[rows.text(0)] = {static_cast<int>(rows.integer(1)), rows.real(2), rows.real(3), rows.text(4)};
-  }
+  while (rows.step()) all[rows.text(0)] = origin_in(rows);
   return all;
 }
 

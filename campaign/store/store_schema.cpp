@@ -49,9 +49,10 @@ const Migration& step_from(int version, std::span<const Migration> steps, const 
 }  // namespace
 
 std::span<const Migration> migrations() {
-  static constexpr std::array<Migration, 2> kSteps = {{
+  static constexpr std::array<Migration, 3> kSteps = {{
       {1, schemas::kFrom1Sql},
       {2, ""},  // views only: results shows the present campaign, results_all everything
+      {3, schemas::kFrom3Sql},
   }};
   return kSteps;
 }

@@ -3,7 +3,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 
 namespace softwall::campaign {
@@ -12,20 +11,6 @@ namespace {
 constexpr double kLongestSeconds = 1000 * 365.25 * 86400;
 
 }  // namespace
-
-std::string utc_text(std::chrono::system_clock::time_point time) {
-  using namespace std::chrono;
-  const auto microseconds = floor<std::chrono::microseconds>(time);
-  const auto whole = floor<seconds>(microseconds);
-  const std::time_t number = whole.time_since_epoch().count();
-  std::tm parts{};
-  gmtime_r(&number, &parts);
-  std::array<char, 48> text{};
-  const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S", &parts);
-  std::snprintf(text.data() + length, text.size() - length, ".%06dZ",
-                static_cast<int>((microseconds - whole).count()));
-  return text.data();
-}
 
 std::string local_time_of_day() {
   const std::time_t now = std::time(nullptr);

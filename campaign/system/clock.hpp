@@ -1,15 +1,11 @@
 #pragma once
 
-#include <chrono>
 #include <string>
 
 namespace softwall::campaign {
 
 /// The present time of day as 23:59:59 in the local time zone.
 [[nodiscard]] std::string local_time_of_day();
-
-/// 2026-01-31T23:59:59.123456Z. The order of such texts is the order in time.
-[[nodiscard]] std::string utc_text(std::chrono::system_clock::time_point time);
 
 /// Seconds of a clock that never jumps and stands still while the machine sleeps; all limits are decided by
 /// it.

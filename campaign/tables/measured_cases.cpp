@@ -50,6 +50,7 @@ std::vector<MeasuredCase> measured_cases(Connection& store) {
   std::vector<MeasuredCase> cases;
   while (rows.step()) {
     MeasuredCase found;
+    found.case_id = rows.text(12);
     found.label = rows.text(0);
     found.state = rows.text(1);
     found.stale_reason = rows.text(2);
@@ -63,7 +64,7 @@ std::vector<MeasuredCase> measured_cases(Connection& store) {
     found.window_end = rows.optional_real(10);
     found.end_time = rows.real(11);
     found.flow = rows.text(13);
-    read_values(store, rows.text(12), found);
+    read_values(store, found.case_id, found);
     cases.push_back(std::move(found));
   }
   return cases;

@@ -15,7 +15,7 @@ struct MeasuredValue {
 
 /// A case of the present sweep as the table of results shows it.
 struct MeasuredCase {
-  std::string label, flow, state, stale_reason, note, grid;
+  std::string case_id, label, flow, state, stale_reason, note, grid;
   std::optional<double> g, viscosity_ratio;  ///< empty: rigid walls
   double reynolds = 0.0;
   double layer_height = 0.0;                       ///< [h]; 0: rigid walls

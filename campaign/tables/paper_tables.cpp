@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <ostream>
 #include <span>
 
 #include "analysis/log_law.hpp"
-#include "campaign/store/store_file.hpp"
 #include "campaign/store/text_width.hpp"
-#include "campaign/tables/measured_cases.hpp"
-#include "campaign/tables/paper_values.hpp"
+#include "campaign/tables/comparison.hpp"
 
 /// The page: a preface, then for each reading of G both tables, then how each case was measured.
 namespace softwall::campaign {
@@ -21,32 +18,6 @@ namespace {
 
 constexpr std::size_t kPageWidth = 116;
 constexpr std::size_t kFirstColumnWidth = 28;
-constexpr double kPaperReynolds = 2800.0;
-constexpr double kPaperLayerHeight = 0.5;  ///< [h]
-constexpr double kSameParameter = 1e-9;    ///< relative; a sweep may compute its points
-
-struct Quantity {
-  const char* column;
-  const char* heading;
-  int decimals;  ///< of a measured value without interval: one more than the paper prints
-};
-constexpr std::array<Quantity, 4> kTable1 = {
-    {{"re_tau_w", "Re_tau^w", 1}, {"re_tau", "Re_tau", 1}, {"u_max", "u_M/U_b", 3}, {"y_max", "y_M/h", 3}}};
-constexpr std::array<Quantity, 5> kTable2 = {{{"d", "d/h", 3},
-                                              {"k_plus_dk", "k+Dk", 3},
-                                              {"delta_u_plus", "DU+", 1},
-                                              {"delta_max", "delta/h", 4},
-                                              {"delta_rms", "delta'/h", 4}}};
-
-struct Reading {
-  const char* title;
-  std::optional<double> PaperCase::*g;
-};
-constexpr std::array<Reading, 2> kReadings = {
-    {{"READING \"TABLE\": G as the paper's tables print it, 4.0, 2.0, 1.0, 0.5", &PaperCase::g_table},
-     {"READING \"TEXT\": G as the paper's text says, 2.0, 1.0, 0.5, 0.25 (half of the tables')",
-      &PaperCase::g_text}}};
-
 /// Line breaks are made anew when it is written. The constant of the log law follows.
 constexpr std::string_view kPreface = R"(
 beside tables 1 and 2 of M. E. Rosti and L. Brandt, Numerical simulation of turbulent channel flow over a viscous
@@ -55,23 +26,6 @@ values under both readings. Bulk Reynolds number 2800; lengths in h, velocities 
 95 % confidence interval; (*) marks a value without one, and the last section says why. Re_tau^w: rigid wall;
 Re_tau: elastic wall; u_M, y_M: maximum of the mean velocity and its place, from the centre plane; delta, delta':
 maximum and rms of the wall's deformation; d, k+Dk, DU+: log law at the elastic wall with the constant)";
-
-bool is_same(std::optional<double> a, std::optional<double> b) {
-  if (!a || !b) return !a && !b;
-  return std::abs(*a - *b) <= kSameParameter * std::abs(*b);
-}
-
-/// The paper has channels of one Reynolds number and one layer; other cases have no counterpart in it.
-bool is_comparable(const MeasuredCase& measured) {
-  const bool is_channel = measured.flow == "rigid_channel" || measured.flow == "elastic_wall";
-  return is_channel && is_same(measured.reynolds, kPaperReynolds) &&
-         (!measured.g || is_same(measured.layer_height, kPaperLayerHeight));
-}
-
-bool is_match(const MeasuredCase& measured, const PaperCase& paper, const Reading& reading) {
-  return is_comparable(measured) && is_same(measured.g, paper.*reading.g) &&
-         is_same(measured.viscosity_ratio, paper.viscosity_ratio);
-}
 
 std::string short_number(std::optional<double> value) {
   if (!value) return "-";
@@ -150,15 +104,6 @@ std::string window_text(const MeasuredCase& measured) {
          " of " + short_number(measured.end_time) + " h/U_b";
 }
 
-bool has_counterpart(const MeasuredCase& measured) {
-  for (const PaperCase& paper : paper_cases()) {
-    for (const Reading& reading : kReadings) {
-      if (is_match(measured, paper, reading)) return true;
-    }
-  }
-  return false;
-}
-
 void write_case_notes(std::ostream& out, const std::vector<MeasuredCase>& cases) {
   out << "\nHOW EACH CASE WAS MEASURED\n";
   for (const MeasuredCase& measured : cases) {
@@ -173,11 +118,10 @@ void write_case_notes(std::ostream& out, const std::vector<MeasuredCase>& cases)
 
 }  // namespace
 
-void write_paper_tables(std::ostream& out, const std::filesystem::path& campaign_directory) {
-  Connection store = open_store_file(campaign_directory, OpenMode::kReadOnly);
+void write_paper_tables(std::ostream& out, Connection& store) {
   const std::vector<MeasuredCase> cases = measured_cases(store);
   Statement campaign = store.query("SELECT name FROM campaign");
-  const std::string name = campaign.step() ? campaign.text(0) : campaign_directory.string();
+  const std::string name = campaign.step() ? campaign.text(0) : store.file().string();
   if (!cases.empty() && std::none_of(cases.begin(), cases.end(), has_counterpart)) {
     out << wrapped("Campaign " + printable(name) + " has no case that the paper's tables show.", kPageWidth)
         << "\n";

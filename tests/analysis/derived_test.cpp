@@ -150,8 +150,19 @@ TEST(Derived, WindowLeavesEarlierBlocksOut) {
   EXPECT_NEAR(q.re_tau_w.value, 193.0, 1e-9);
   EXPECT_EQ(q.blocks, 18);
   EXPECT_EQ(q.window_start, 104.0);
+  EXPECT_EQ(q.window_asked, *options.window_start);
+  EXPECT_EQ(q.note.find("blocks were kept"), std::string::npos) << q.note;
   options.window_start = 1000.0;
   EXPECT_THROW((void)derive(s, options), std::runtime_error);
+}
+
+TEST(Derived, SaysWhichBlocksWereNeverKept) {
+  DeriveOptions options;
+  options.window_start = 50.0;
+  const DerivedQuantities q = derive(samples::elastic_statistics({}, 20), options);
+  EXPECT_EQ(q.window_start, 100.0);
+  EXPECT_NE(q.note.find("averages were asked for from t = 50, blocks were kept from 100"), std::string::npos)
+      << q.note;
 }
 
 TEST(Derived, ShortWindowGivesNoIntervalAndSaysSo) {

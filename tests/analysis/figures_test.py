@@ -4,6 +4,7 @@ figures_test.py WRITER ROOT: WRITER is the program analysis_sample_campaign, ROO
 Exit 77 (skipped) where h5py or matplotlib is not installed.
 """
 
+import contextlib
 import csv
 import importlib.util
 import json
@@ -159,6 +160,65 @@ class Figures(unittest.TestCase):
         orders = [float(value) for value in re.findall(r"errors fall, order between the finest two (\S+)", done.stdout)]
         self.assertEqual(len(orders), 2, done.stdout)
         self.assertTrue(all(abs(order - 2) < 0.01 for order in orders), orders)
+
+    def test_means_are_those_of_the_averaging_window(self):
+        with tempfile.TemporaryDirectory() as folder:
+            make_campaign(folder)
+            with contextlib.closing(sqlite3.connect(pathlib.Path(folder) / "results.db")) as store:
+                store.execute("UPDATE quantities SET window_start = 110")
+                store.commit()
+            program = ("import sys, argparse; sys.path.insert(0, sys.argv[1]); from campaign_data import read_campaign\n"
+                       "start = float(sys.argv[3]) if len(sys.argv) > 3 else None\n"
+                       "cases = read_campaign(argparse.Namespace(campaign=sys.argv[2], start=start))\n"
+                       "print(*(c.start[0] for c in cases if not c.elastic), *{c.start[0] for c in cases if c.elastic})")
+            for given, starts in (((), "110.0 110.0\n"), (("120.5",), "110.0 122.0\n")):
+                done = subprocess.run([sys.executable, "-c", program, ROOT / "analysis", folder, *given],
+                                      capture_output=True, text=True)
+                self.assertEqual(done.stdout, starts, done.stderr)
+
+    def test_missing_packages_are_named_in_one_line(self):
+        """Also for --help; by an interpreter that finds no package at all (-S: no site-packages)."""
+        for script in [*ALL_SCRIPTS, ROOT / "analysis" / "linear_stability.py"]:
+            with self.subTest(script.name):
+                done = subprocess.run([sys.executable, "-S", script, "--help"], capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stdout), (1, ""))
+                self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+                self.assertRegex(done.stderr, r"has no .*numpy.*: sudo apt install .*python3-numpy .*pip install")
+
+    def test_colours_go_by_the_value_and_lines_are_the_papers(self):
+        program = ("import sys; sys.path.insert(0, sys.argv[1]); from campaign_data import colour_of, line_of\n"
+                   "print(colour_of(4), colour_of(2), colour_of(1), colour_of(0.5), line_of(0.1), line_of(1), line_of(10))\n"
+                   "print(colour_of(0.7) == colour_of(0.7), len({colour_of(g) for g in (0.3, 0.6, 0.7, 1.5, 3)}))")
+        done = subprocess.run([sys.executable, "-c", program, ROOT / "analysis"], capture_output=True, text=True)
+        self.assertEqual(done.stdout, "blue magenta red green : - --\nTrue 5\n", done.stderr)
+
+    def test_whatever_a_sweep_varies_is_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            make_campaign(folder)
+            for number, name in enumerate(("G=4_mu=1", "G=2_mu=1", "G=1_mu=1")):
+                case = pathlib.Path(folder) / "cases" / name / "case.json"
+                definition = json.loads(case.read_text())
+                definition["physics"]["solid"] = {"G": 0.7, "viscosity_ratio": 1}
+                definition["physics"]["grid"]["nx"] = 48 * (number + 1)
+                case.write_text(json.dumps(definition))
+            program = ("import sys, argparse; sys.path.insert(0, sys.argv[1]); from campaign_data import read_campaign\n"
+                       "cases = read_campaign(argparse.Namespace(campaign=sys.argv[2], start=None))\n"
+                       "print([case.name for case in cases if case.G == 0.7], len({c.style for c in cases if c.G == 0.7}))")
+            done = subprocess.run([sys.executable, "-c", program, ROOT / "analysis", folder], capture_output=True, text=True)
+            for words in ("nx 48", "nx 96", "nx 144"):
+                self.assertIn(words, done.stdout, done.stderr)
+            self.assertTrue(done.stdout.endswith("] 3\n"), done.stdout)
+
+    def test_log_law_of_a_very_soft_wall_is_drawn_without_plateau(self):
+        """d+ = -30: points at or below the log law's origin are left out, its fit is drawn."""
+        program = ("import sys, argparse, numpy as np; sys.path.insert(0, sys.argv[1]); import plot_log_law as p\n"
+                   "case = next(c for c in p.read_campaign(argparse.Namespace(campaign=sys.argv[2], start=None)) if c.G == 0.5)\n"
+                   "case.results.update(d=-30 / (case.u_tau * case.reynolds), log_range_low_plus=37)\n"
+                   "figure, axes = p.plt.subplots(); p.plot_profiles(axes, [case])\n"
+                   "x = [line.get_xdata() for line in axes.lines]\n"
+                   "print(len(x), all((one > 0).all() and np.isfinite(one).all() for one in x), x[1][0] < 15)")
+        done = subprocess.run([sys.executable, "-c", program, ROOT / "analysis", self.campaign], capture_output=True, text=True)
+        self.assertEqual(done.stdout, "2 True True\n", done.stderr)
 
     def test_damaged_case_is_left_out_by_name(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -17,7 +17,7 @@ RIGID = {
         "reynolds": 100,
         "grid": {"nx": 8, "ny_fluid": 8, "nz": 4},
         "time_step": {"fixed_dt": 0.1},
-        "statistics": {"start_time": 0.5, "block_length": 0.2, "interval_steps": 1},
+        "statistics": {"start_time": 0.5, "block_length": 0.25, "interval_steps": 1},
     },
     "run": {"end_time": 1, "field_interval": 0.1},
     "execution": {"ranks": 1, "cores": 1},
@@ -69,11 +69,11 @@ class RealUse(EndToEndTest):
         campaign = self.campaign(RIGID)
         self.run_to_end(campaign)
         (old,) = campaign.query("SELECT case_id FROM results")
-        changed_physics = dict(RIGID["physics"], statistics={"start_time": 0.4, "block_length": 0.2, "interval_steps": 1})
+        changed_physics = dict(RIGID["physics"], statistics={"start_time": 0.5, "block_length": 0.25, "interval_steps": 2})
         campaign.write(changed(RIGID, physics=changed_physics))
         plan = campaign.call("plan").stdout
         self.assertIn("Left behind", plan)
-        self.assertIn("but statistics.start_time 0.5 instead of 0.4", plan)
+        self.assertIn("but statistics.interval_steps 1 instead of 2", plan)
         self.run_to_end(campaign)
         self.assertEqual(len(campaign.query("SELECT * FROM results")), 1)
         self.assertEqual(len(campaign.query("SELECT * FROM results_all")), 2)

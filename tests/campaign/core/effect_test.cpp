@@ -9,9 +9,9 @@ namespace {
 
 using nlohmann::json;
 
-json filled(double start_time, int interval_steps, double end_time, double fixed_dt) {
+json filled(int interval_steps, double end_time, double fixed_dt, double block_length = 0.05) {
   json document = {{"physics",
-                    {{"statistics", {{"start_time", start_time}, {"interval_steps", interval_steps}}},
+                    {{"statistics", {{"interval_steps", interval_steps}, {"block_length", block_length}}},
                      {"time_step", {{"fixed_dt", fixed_dt}}}}},
                    {"run", {{"end_time", end_time}}}};
   if (fixed_dt == 0) document["physics"].erase("time_step");
@@ -20,16 +20,27 @@ json filled(double start_time, int interval_steps, double end_time, double fixed
 }
 
 TEST(NeverSampled, IsWhatStartsAtItsEnd) {
-  EXPECT_FALSE(never_sampled(filled(0.5, 10, 1, 0)));
-  EXPECT_TRUE(never_sampled(filled(1, 10, 1, 0)));
-  EXPECT_TRUE(never_sampled(filled(2, 10, 1, 0)));
+  EXPECT_FALSE(never_sampled(filled(10, 1, 0), 0.5));
+  EXPECT_TRUE(never_sampled(filled(10, 1, 0), 1));
+  EXPECT_TRUE(never_sampled(filled(10, 1, 0), 2));
+}
+
+TEST(NeverSampled, IsAWindowInWhichNoBlockBegins) {
+  EXPECT_FALSE(never_sampled(filled(10, 1, 0, 0.3), 0.9));  // the fourth begins there
+  EXPECT_TRUE(never_sampled(filled(10, 1, 0, 0.3), 0.91));
+  EXPECT_TRUE(never_sampled(filled(10, 1, 0, 1), 0.5));
+  EXPECT_FALSE(never_sampled(filled(10, 1, 0, 1), 0));
+  json earlier = filled(10, 1, 0, 1);
+  earlier["physics"]["statistics"]["start_time"] = 0.5;  // where an earlier version began its blocks
+  EXPECT_FALSE(never_sampled(earlier, 0.5));
+  EXPECT_FALSE(never_sampled(earlier, 0.2));
 }
 
 TEST(NeverSampled, IsWhatEndsBeforeItsFirstSample) {
-  EXPECT_TRUE(never_sampled(filled(0, 11, 1, 0.1)));   // ten steps
-  EXPECT_FALSE(never_sampled(filled(0, 10, 1, 0.1)));  // sampled at the last
-  EXPECT_TRUE(never_sampled(filled(0.9, 3, 1, 0.1)));  // sampled at 0.3, 0.6 and 0.9
-  EXPECT_FALSE(never_sampled(filled(0.85, 3, 1, 0.1)));
+  EXPECT_TRUE(never_sampled(filled(11, 1, 0.1), 0));   // ten steps
+  EXPECT_FALSE(never_sampled(filled(10, 1, 0.1), 0));  // sampled at the last
+  EXPECT_TRUE(never_sampled(filled(3, 1, 0.1), 0.9));  // sampled at 0.3, 0.6 and 0.9
+  EXPECT_FALSE(never_sampled(filled(3, 1, 0.1), 0.85));
 }
 
 TEST(Exclusions, ApplyToValuesThatTheSweepDoesNotSet) {

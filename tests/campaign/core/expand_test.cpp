@@ -33,7 +33,8 @@ TEST(Expand, PrecursorFirstThenEveryPoint) {
   EXPECT_EQ(precursor.definition.physics.grid.nz, 48);  // the common one
   EXPECT_EQ(precursor.definition.physics.grid.ny_solid, 0);
   EXPECT_EQ(precursor.definition.physics.time_step.safety, 0.7);
-  EXPECT_EQ(precursor.definition.physics.statistics.start_time, 50.0);
+  EXPECT_EQ(precursor.window_start, 50.0);
+  EXPECT_EQ(precursor.definition.physics.statistics.start_time, 0.0) << "blocks are kept from the start";
   EXPECT_EQ(precursor.definition.run.end_time, 100.0);
   EXPECT_EQ(precursor.definition.run.checkpoint_steps, 10);  // the common one
   for (std::size_t i = 1; i < campaign.cases.size(); ++i) {

@@ -140,5 +140,15 @@ TEST(Spec, DamagedTextGivesOneMessage) {
   }
 }
 
+/// Editors complete and check a file that names its schema.
+TEST(Spec, MayNameItsSchema) {
+  nlohmann::json document = elastic_campaign();
+  document["$schema"] = "/usr/local/share/softwall/campaign.schema.json";
+  EXPECT_EQ(complaint_about(document), "");
+  document["$schema"] = 7;
+  EXPECT_NE(complaint_about(document).find("/$schema: 7; must be"), std::string::npos)
+      << complaint_about(document);
+}
+
 }  // namespace
 }  // namespace softwall::campaign

@@ -103,6 +103,23 @@ TEST_F(ProcessLauncherTest, ALogDoesNotGrowWithoutBound) {
   EXPECT_EQ(read_text(file.string() + ".old").substr(0, 3), "old");
 }
 
+TEST_F(ProcessLauncherTest, ALogDoesNotGrowWithoutBoundWhileItIsWritten) {
+  auto launcher =
+      launcher_with("head -c 17000000 /dev/zero; until [ -e go ]; do sleep 0.02; done; echo and on");
+  const auto what = request();
+  const auto file = RunFiles{what.run_directory}.log();
+  (void)launcher.start(what);
+  const bool made_room = wait_until([&] {
+    (void)launcher.collect();
+    return std::filesystem::exists(file.string() + ".old") && std::filesystem::file_size(file) == 0;
+  });
+  EXPECT_TRUE(made_room);
+  std::ofstream(what.run_directory / "go") << "on";
+  ASSERT_TRUE(wait_for_end(launcher));
+  EXPECT_EQ(log(), "and on\n") << "the attempt goes on at the new end";
+  EXPECT_EQ(std::filesystem::file_size(file.string() + ".old"), 17000000U);
+}
+
 TEST_F(ProcessLauncherTest, TemporaryFilesAreGoneAfterwards) {
   auto launcher =
       launcher_with("touch $TMPDIR/a $OMPI_MCA_btl_vader_backing_directory/b; echo $TMPDIR; kill -9 $$");

@@ -56,7 +56,9 @@ TEST_F(AdoptionTest, AJobOfAnEarlierSoftwallIsWaitedForAndNotSubmittedAgain) {
 TEST_F(AdoptionTest, AQueuedJobCountsAsRunning) {
   leave_precursor_behind();
   const test::BatchLauncher launcher(system_);
-  EXPECT_EQ(observe_all(campaign_, folder_.path(), launcher).front().state, CaseState::kRunning);
+  EXPECT_EQ(
+      observe(campaign_.cases.front(), run_files(folder_.path(), campaign_.cases.front()), launcher).state,
+      CaseState::kRunning);
 }
 
 TEST_F(AdoptionTest, AJobThatHasEndedMeanwhileIsNotAdopted) {
@@ -73,7 +75,8 @@ TEST_F(AdoptionTest, SilenceIsNotTakenForAnEnd) {
   leave_precursor_behind();
   system_.answers = false;
   const test::BatchLauncher silent(system_);
-  EXPECT_TRUE(observe_all(campaign_, folder_.path(), silent).front().running);
+  EXPECT_TRUE(
+      observe(campaign_.cases.front(), run_files(folder_.path(), campaign_.cases.front()), silent).running);
   test::BatchLauncher launcher(system_);
   EXPECT_EQ(run(launcher).finished, 5U);
   EXPECT_EQ(std::ranges::count(launcher.started, precursor_id()), 0);

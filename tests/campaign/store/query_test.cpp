@@ -15,7 +15,10 @@ using ::testing::HasSubstr;
 class QueryTest : public ::testing::Test {
  protected:
   void SetUp() override { Store::open(folder.path(), OpenMode::kCreate).record_campaign(paper_campaign()); }
-  ResultTable ask(const std::string& sql) const { return run_query(folder.path(), sql); }
+  ResultTable ask(const std::string& sql) const {
+    Connection store = open_store_file(folder.path(), OpenMode::kReadOnly);
+    return run_query(store, sql);
+  }
   std::string refused(const std::string& sql) const {
     return refusal([&] { (void)ask(sql); });
   }
@@ -44,7 +47,8 @@ TEST_F(QueryTest, ReadsWhateverAResearcherMayWant) {
         "VALUES (1), (2)"}) {
     EXPECT_EQ(refused(sql), "") << sql;
   }
-  EXPECT_EQ(export_results(folder.path()).rows.size(), 7U);
+  Connection store = open_store_file(folder.path(), OpenMode::kReadOnly);
+  EXPECT_EQ(export_results(store).rows.size(), 7U);
 }
 
 TEST_F(QueryTest, ChangesNothing) {
@@ -94,6 +98,16 @@ TEST_F(QueryTest, SaysWhatIsWrongWithTheSql) {
   EXPECT_THAT(refused("SELEC 1"), HasSubstr("syntax error"));
   EXPECT_THAT(refused("SELECT \"no column\" FROM cases"), HasSubstr("no such column"));
   EXPECT_THAT(refused("SELECT 'unfinished"), HasSubstr("unrecognized token"));
+}
+
+TEST_F(QueryTest, SuggestsWhatWasProbablyMeant) {
+  Connection store = open_store_file(folder.path(), OpenMode::kReadOnly);
+  const auto advice = [&](const std::string& sql) { return advice_for_query(store, refused(sql)); };
+  EXPECT_EQ(advice("SELECT re_tou FROM results"), "did you mean re_tau?");
+  EXPECT_EQ(advice("SELECT results.RE_TAU_X FROM results"), "did you mean re_tau_w?");
+  EXPECT_EQ(advice("SELECT * FROM resulst"), "did you mean results?");
+  EXPECT_THAT(advice("SELECT completely_else FROM results"), HasSubstr("FROM documentation"));
+  EXPECT_EQ(advice("SELEC 1"), "one SQL statement that reads");
 }
 
 }  // namespace

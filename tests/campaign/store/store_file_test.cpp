@@ -213,7 +213,11 @@ class ReadOnlyFolderTest : public StoreFileTest {
 TEST_F(ReadOnlyFolderTest, CanBeRead) {
   EXPECT_EQ(as_nobody([&] { return number_of_cases(Store::open(folder.path(), OpenMode::kReadOnly)) == 7; }),
             0);
-  EXPECT_EQ(as_nobody([&] { return run_query(folder.path(), "SELECT * FROM results").rows.size() == 7; }), 0);
+  EXPECT_EQ(as_nobody([&] {
+              Connection store = open_store_file(folder.path(), OpenMode::kReadOnly);
+              return run_query(store, "SELECT * FROM results").rows.size() == 7;
+            }),
+            0);
 }
 
 TEST_F(ReadOnlyFolderTest, WritingIsRefusedInWords) {

@@ -158,7 +158,8 @@ TEST(Migration, GivesAnOldStoreTheViewsOfToday) {
     Store store = Store::open(folder.path(), OpenMode::kCreate);
     store.record_campaign(paper_campaign());
     store.connection().execute(
-        "DROP VIEW results; DROP VIEW results_all; CREATE VIEW results (label) AS SELECT label FROM cases;"
+        "DROP VIEW results; DROP VIEW results_all; ALTER TABLE cases DROP COLUMN varied;"
+        " CREATE VIEW results (label) AS SELECT label FROM cases;"
         " PRAGMA user_version = 2");
   }
   // Whoever only reads sees the present format, and leaves the file as it is.
@@ -182,11 +183,11 @@ TEST(ResultsView, ShowsTheCampaignAsItIsNow) {
   store.record_campaign(campaign_with(before.cases.front()));
   EXPECT_EQ(answer(store, "SELECT count(*) FROM results"), "1");
   EXPECT_EQ(answer(store, "SELECT count(*) FROM results_all"), "7");
-  EXPECT_EQ(left_out(folder.path()), 1);
+  EXPECT_EQ(left_out(store.connection()), 1);
   store.forget(before.cases.back().definition.id);
   store.forget(before.cases.front().definition.id);  // part of the campaign: stays a case
   EXPECT_EQ(answer(store, "SELECT count(*) FROM cases"), "6");
-  EXPECT_EQ(left_out(folder.path()), 0);
+  EXPECT_EQ(left_out(store.connection()), 0);
 }
 
 TEST(Store, KeepsWhatLeftTheSweepApart) {
@@ -237,6 +238,40 @@ TEST(Migration, AStoreOfTheFirstFormatBecomesOneOfToday) {
   EXPECT_THAT(column_of(old, "SELECT handle FROM attempts"),
               ElementsAreArray({R"({"host":"node","pid":4711})"}));
   EXPECT_EQ(old.integer("SELECT count(*) FROM timeline"), 2);
+}
+
+TEST(Migration, TimesOfResultsGetThePrecisionOfAllOthers) {
+  Connection old = store_of_format_1();
+  migrate(old, migrations(), 3);
+  old.execute(
+      "INSERT INTO quantities VALUES ('c', 'd', 1, NULL, 0, 1, 1, '', 1, '', '2026-01-31T23:59:59.123456Z'),"
+      " ('c', 're_tau', 1, NULL, 0, 1, 1, '', 1, '', '2026-01-31T23:59:59.123Z')");
+  migrate(old, migrations(), kSchemaVersion);
+  EXPECT_EQ(old.integer("SELECT count(*) FROM quantities WHERE recorded = '2026-01-31T23:59:59.123Z'"), 2);
+}
+
+TEST(ResultsView, TellsWhatTheSweepVariesAndWhatItTook) {
+  const test::TemporaryFolder folder;
+  Store store = Store::open(folder.path(), OpenMode::kCreate);
+  nlohmann::json document = elastic_campaign();
+  document["sweep"] =
+      nlohmann::json::parse(R"({"grid": {"G": [1], "seed": [1, 2], "formulation": ["reference_map"]}})");
+  const Campaign campaign = campaign_of(document);
+  store.record_campaign(campaign);
+  EXPECT_EQ(answer(store, "SELECT group_concat(varied, ' ') FROM results WHERE G = 1"),
+            R"({"seed":1} {"seed":2})");
+  EXPECT_EQ(answer(store, "SELECT count(*) FROM results WHERE varied ->> 'seed' = 2"), "2")
+      << "a precursor each";
+  const std::string& id = campaign.cases.back().definition.id;
+  for (const char* revision : {"first", "second"}) {
+    AttemptEnd end = failed_at(100);
+    end.wall_seconds = 1800;
+    end.git_revision = revision;
+    store.end_attempt(id, store.begin_attempt(id, {"here", 3, ""}), end);
+  }
+  EXPECT_EQ(
+      answer(store, "SELECT core_hours || ' ' || solver_revision FROM results WHERE case_id = '" + id + "'"),
+      "3.0 second");
 }
 
 TEST(Migration, AStepExistsFromEveryFormerFormat) {

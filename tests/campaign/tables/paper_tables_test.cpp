@@ -3,9 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <regex>
 #include <sstream>
 
+#include "campaign/tables/closing_table.hpp"
+#include "campaign/tables/comparison_rows.hpp"
+#include "campaign/tables/latex_tables.hpp"
 #include "campaign/tables/measured_cases.hpp"
 #include "campaign/tables/paper_values.hpp"
 #include "tests/campaign/store/examples.hpp"
@@ -66,12 +72,12 @@ class PaperTablesTest : public ::testing::Test {
     store.record_result(id, derived, "");
     store.set_state(id, CaseState::kFinished, "");
   }
-  std::string page() const {
+  std::string page() {
     std::ostringstream out;
-    write_paper_tables(out, folder.path());
+    write_paper_tables(out, store.connection());
     return out.str();
   }
-  std::string under(const std::string& reading) const {
+  std::string under(const std::string& reading) {
     const std::string text = page();
     const auto begin = text.find("READING \"" + reading + "\"");
     return text.substr(begin,
@@ -146,6 +152,58 @@ TEST_F(PaperTablesTest, ALongLabelIsShortened) {
   named.definition.label = std::string(60, 'x');
   store.record_campaign(campaign_with(named));
   EXPECT_THAT(under("TABLE"), ContainsRegex("\n  x+\\.\\.\\. \\(new\\) "));
+}
+
+TEST_F(PaperTablesTest, AreRowsForOtherPrograms) {
+  measure(1.0, 1.0, 241.25);
+  const ResultTable table = comparison_rows(store.connection());
+  const auto cell = [&](const std::vector<Cell>& row, const std::string& column) {
+    const auto at = std::ranges::find(table.columns, column) - table.columns.begin();
+    return row.at(static_cast<std::size_t>(at));
+  };
+  std::map<std::string, double> paper;
+  for (const auto& row : table.rows) {
+    ASSERT_EQ(row.size(), table.columns.size());
+    if (cell(row, "label") != Cell(std::string("G=1_mu=1"))) continue;
+    EXPECT_EQ(cell(row, "re_tau"), Cell(241.25));
+    EXPECT_EQ(cell(row, "re_tau_ci95"), Cell(2.0));
+    EXPECT_EQ(cell(row, "re_tau_w"), Cell(std::monostate{}));
+    EXPECT_EQ(cell(row, "window_start"), Cell(100.0));
+    paper[std::get<std::string>(cell(row, "reading"))] = std::get<double>(cell(row, "re_tau_paper"));
+  }
+  EXPECT_EQ(paper, (std::map<std::string, double>{{"table", 240.5}, {"text", 203.3}}));
+}
+
+TEST_F(PaperTablesTest, CaseWithoutCounterpartIsOneRow) {
+  nlohmann::json document = elastic_campaign();
+  document["physics"]["reynolds"] = 3000;
+  store.record_campaign(campaign_of(document));
+  EXPECT_EQ(comparison_rows(store.connection()).rows.size(), 5U);
+}
+
+TEST_F(PaperTablesTest, AreLatexThatNothingBreaks) {
+  measure(1.0, 1.0, 241.25);
+  std::ostringstream out;
+  write_latex_tables(out, store.connection());
+  EXPECT_THAT(out.str(), HasSubstr("  \\quad G=1\\_mu=1 & -- & $241.2 \\pm 2.0$ & -- & -- \\\\\n"));
+  EXPECT_THAT(out.str(), HasSubstr(" (paper) & $193.0$ & $240.5$ & $1.23$ & $-0.206$ \\\\\n"));
+  const std::regex unescaped(R"((^|[^\\$^])_)");
+  std::istringstream lines(out.str());
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("  \\quad")) {
+      EXPECT_FALSE(std::regex_search(line.substr(0, line.find('&')), unescaped)) << line;
+    }
+  }
+}
+
+TEST_F(PaperTablesTest, ClosingTableHasIntervalsAndUnits) {
+  measure(1.0, 1.0, 241.25);
+  std::ostringstream out;
+  write_closing_table(out, store.connection());
+  EXPECT_THAT(out.str(), HasSubstr("t [h/U_b]"));
+  EXPECT_THAT(out.str(), HasSubstr("u_max [U_b]"));
+  EXPECT_THAT(out.str(), ContainsRegex("G=1_mu=1 +finished +100-150 +- +241.2 \\+- 2.0"));
+  EXPECT_THAT(out.str(), ContainsRegex("G=4_mu=1 +new +- "));
 }
 
 TEST_F(PaperTablesTest, FitsThePageAndHasNoTrailingBlanks) {

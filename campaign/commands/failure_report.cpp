@@ -1,0 +1,25 @@
+#include "campaign/commands/failure_report.hpp"
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+namespace softwall::campaign {
+
+void report_failure(std::ostream& out, const FailureReport& report, bool json) {
+  if (!json) {
+    out << report.text;
+    return;
+  }
+  auto mistakes = nlohmann::ordered_json::array();
+  for (const Mistake& one : report.mistakes)
+    mistakes.push_back({{"where", one.where}, {"given", one.given}, {"allowed", one.allowed}});
+  const auto end = report.text.find_last_not_of('\n');
+  const nlohmann::ordered_json error = {{"status", static_cast<int>(report.status)},
+                                        {"message", report.text.substr(0, end + 1)},
+                                        {"mistakes", mistakes}};
+  out << nlohmann::ordered_json{{"error", error}}.dump(2, ' ', false,
+                                                       nlohmann::json::error_handler_t::replace)
+      << "\n";
+}
+
+}  // namespace softwall::campaign

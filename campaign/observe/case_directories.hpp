@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "campaign/core/campaign.hpp"
+#include "campaign/core/existing_cases.hpp"
+
+/// The run directories that a campaign's folder holds, by their names "cases/<label>-<first 8 of the id>".
+namespace softwall::campaign {
+
+inline constexpr std::size_t kIdDigits = 8;  ///< of a case id, at the end of its directory's name
+
+/// Directory by the digits of the id in its name, every one that is there.
+[[nodiscard]] std::multimap<std::string, std::string> existing_directories(
+    const std::filesystem::path& folder);
+
+/// The cases in run directories that belong to no case of the campaign as it reads by itself. Empty also when
+/// every case of the campaign has its directory. Those without a readable case file are left out.
+[[nodiscard]] ExistingCases existing_cases(const Campaign& campaign, const std::filesystem::path& folder);
+
+}  // namespace softwall::campaign

@@ -1,0 +1,71 @@
+#include "campaign/store/settled.hpp"
+
+#include <sys/stat.h>
+
+#include <chrono>
+
+#include "campaign/observe/observe.hpp"
+#include "campaign/store/import_results.hpp"
+#include "solver/case/time_comparison.hpp"
+#include "solver/run_directory/build_info.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+/// The time of change, which nobody can set, unlike that of modification. Empty: there is no such directory.
+std::string changed_at(const std::filesystem::path& directory) {
+  struct stat status {};
+  if (stat(directory.c_str(), &status) != 0) return "";
+  const auto since_1970 =
+      std::chrono::seconds(status.st_ctim.tv_sec) + std::chrono::nanoseconds(status.st_ctim.tv_nsec);
+  return utc_text(std::chrono::floor<std::chrono::milliseconds>(since_1970));
+}
+
+}  // namespace
+
+bool is_settled(const CampaignCase& one, const CaseRecord& known, const RunFiles& run) {
+  if (one.is_precursor || known.state != CaseState::kFinished ||
+      !has_reached(known.reached_time, one.definition.run.end_time))
+    return false;
+  const std::string changed = changed_at(run.directory);
+  return !changed.empty() && changed < known.state_since;
+}
+
+Observation settled_observation(const CampaignCase& one, const CaseRecord& known) {
+  Observation seen;
+  seen.case_id = one.definition.id;
+  seen.state = CaseState::kFinished;
+  seen.reason = known.state_reason;
+  seen.step = known.reached_step;
+  seen.time = known.reached_time;
+  seen.end_time = one.definition.run.end_time;
+  seen.attempts = known.attempts;
+  seen.attempts_without_progress = known.attempts_without_progress;
+  seen.seconds_per_step = known.seconds_per_step;
+  return seen;
+}
+
+std::vector<Observation> observe_with_records(const Campaign& campaign, const std::filesystem::path& folder,
+                                              const Launcher& launcher, const CaseRecords& records) {
+  std::vector<Observation> all(campaign.cases.size());
+  std::vector<const CampaignCase*> others;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
+    const CampaignCase& one = campaign.cases[i];
+    const auto known = records.find(one.definition.id);
+    if (known != records.end() && is_settled(one, known->second, run_files(folder, one))) {
+      all[i] = settled_observation(one, known->second);
+      continue;
+    }
+    others.push_back(&one);
+    places.push_back(i);
+  }
+  const auto seen = observe_all(others, folder, launcher);
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const auto known = records.find(seen[k].case_id);
+    all[places[k]] = known == records.end() ? seen[k] : with_history(seen[k], known->second);
+  }
+  return all;
+}
+
+}  // namespace softwall::campaign

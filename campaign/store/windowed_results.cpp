@@ -1,0 +1,33 @@
+#include "campaign/store/windowed_results.hpp"
+
+#include <stdexcept>
+
+#include "solver/run_directory/build_info.hpp"
+#include "solver/run_directory/run_files.hpp"
+#include "solver/run_directory/statistics_file.hpp"
+
+namespace softwall::campaign {
+
+WindowedResults results_from(const std::filesystem::path& campaign_directory, double start) {
+  WindowedResults results{Store::copy_in_memory(campaign_directory), {}};
+  analysis::DeriveOptions window;
+  window.window_start = start;
+  Transaction together(results.store.connection());
+  for (const auto& [id, one] : results.store.all_cases()) {
+    if (one.is_precursor || !results.store.result_origin(id)) continue;
+    try {
+      const RunFiles run{campaign_directory / one.directory};
+      const auto derived = analysis::derive(analysis::read_statistics(run.statistics()), window);
+      results.store.record_result(id, derived, build_info().git_revision);
+    } catch (const SqliteError&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      results.store.remove_result(id);
+      results.troubles.push_back(one.label + ": " + error.what());
+    }
+  }
+  together.commit();
+  return results;
+}
+
+}  // namespace softwall::campaign
