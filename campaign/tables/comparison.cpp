@@ -24,7 +24,7 @@ bool is_comparable(const MeasuredCase& measured) {
 }  // namespace
 
 bool is_match(const MeasuredCase& measured, const PaperCase& paper, const Reading& reading) {
-  return is_comparable(measured) && is_same(measured.g, paper.*reading.g) &&
+  return is_comparable(measured) && is_same(measured.g, reading.modulus(paper)) &&
          is_same(measured.viscosity_ratio, paper.viscosity_ratio);
 }
 

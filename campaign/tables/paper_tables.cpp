@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <ostream>
@@ -10,6 +11,7 @@
 #include "analysis/log_law.hpp"
 #include "campaign/store/text_width.hpp"
 #include "campaign/tables/comparison.hpp"
+#include "campaign/tables/reading_fit.hpp"
 
 /// The page: a preface, then for each reading of G both tables, then how each case was measured.
 namespace softwall::campaign {
@@ -22,7 +24,7 @@ constexpr std::size_t kFirstColumnWidth = 28;
 constexpr std::string_view kPreface = R"(
 beside tables 1 and 2 of M. E. Rosti and L. Brandt, Numerical simulation of turbulent channel flow over a viscous
 hyper-elastic wall, J. Fluid Mech. 830 (2017). The paper contradicts itself on G, so every case is shown beside its
-values under both readings. Bulk Reynolds number 2800; lengths in h, velocities in U_b. "value +- half width" is a
+values under each reading. Bulk Reynolds number 2800; lengths in h, velocities in U_b. "value +- half width" is a
 95 % confidence interval; (*) marks a value without one, and the last section says why. Re_tau^w: rigid wall;
 Re_tau: elastic wall; u_M, y_M: maximum of the mean velocity and its place, from the centre plane; delta, delta':
 maximum and rms of the wall's deformation; d, k+Dk, DU+: log law at the elastic wall with the constant)";
@@ -43,7 +45,7 @@ std::string paper_name(const PaperCase& paper, const Reading& reading) {
     std::snprintf(buffer.data(), buffer.size(), "%-10s rigid walls", paper.name.c_str());
   } else {
     std::snprintf(buffer.data(), buffer.size(), "%-10s G=%-5s mu=%s", paper.name.c_str(),
-                  short_number(paper.*reading.g).c_str(), short_number(paper.viscosity_ratio).c_str());
+                  short_number(reading.modulus(paper)).c_str(), short_number(paper.viscosity_ratio).c_str());
   }
   return buffer.data();
 }
@@ -93,6 +95,27 @@ void write_reading(std::ostream& out, const Reading& reading, const std::vector<
   write_comparison(out, reading, kTable2, cases);
 }
 
+/// Which of them fits best is for the reader to judge; this only says how well each does.
+void write_fits(std::ostream& out, const std::vector<MeasuredCase>& cases) {
+  const std::vector<ReadingFit> fits = reading_fits(cases);
+  out << "\nHOW WELL EACH READING FITS\n"
+      << wrapped(
+             "rms of (measured - printed) over the range of the paper's seven cases, of Re_tau^w, Re_tau, "
+             "u_M, y_M, delta and delta' of elastic walls",
+             kPageWidth)
+      << "\n";
+  for (const ReadingFit& fit : fits) {
+    out << "    " << fit.reading->name << ": ";
+    if (fit.values == 0) {
+      out << "no case with results\n";
+    } else {
+      out << short_number(std::round(1e3 * fit.departure) / 1e3) << ", " << fit.values << " values of "
+          << fit.cases << (fit.cases == 1 ? " case" : " cases")
+          << (&fit == best_of(fits) ? "; the least\n" : "\n");
+    }
+  }
+}
+
 void write_preface(std::ostream& out, const std::string& campaign) {
   const std::string title = "Campaign " + printable(campaign) + " " + std::string(kPreface);
   out << wrapped(title, kPageWidth) << " B = " << short_number(analysis::kAdditiveConstant) << ".\n";
@@ -128,6 +151,7 @@ void write_paper_tables(std::ostream& out, Connection& store) {
   } else {
     write_preface(out, name);
     for (const Reading& reading : kReadings) write_reading(out, reading, cases);
+    write_fits(out, cases);
   }
   write_case_notes(out, cases);
 }

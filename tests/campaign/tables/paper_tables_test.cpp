@@ -14,6 +14,7 @@
 #include "campaign/tables/latex_tables.hpp"
 #include "campaign/tables/measured_cases.hpp"
 #include "campaign/tables/paper_values.hpp"
+#include "campaign/tables/reading_fit.hpp"
 #include "tests/campaign/store/examples.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -81,7 +82,7 @@ class PaperTablesTest : public ::testing::Test {
     const std::string text = page();
     const auto begin = text.find("READING \"" + reading + "\"");
     return text.substr(begin,
-                       text.find(reading == "TABLE" ? "READING \"TEXT\"" : "HOW EACH CASE", begin) - begin);
+                       std::min(text.find("READING", begin + 1), text.find("HOW WELL", begin)) - begin);
   }
   test::TemporaryFolder folder;
   Store store = Store::open(folder.path(), OpenMode::kCreate);
@@ -171,7 +172,19 @@ TEST_F(PaperTablesTest, AreRowsForOtherPrograms) {
     EXPECT_EQ(cell(row, "window_start"), Cell(100.0));
     paper[std::get<std::string>(cell(row, "reading"))] = std::get<double>(cell(row, "re_tau_paper"));
   }
-  EXPECT_EQ(paper, (std::map<std::string, double>{{"table", 240.5}, {"text", 203.3}}));
+  EXPECT_EQ(paper, (std::map<std::string, double>{{"table", 240.5}, {"text", 203.3}, {"half", 180.8}}));
+}
+
+TEST_F(PaperTablesTest, SaysHowWellEachReadingFits) {
+  measure(1.0, 1.0, 203.3);  // printed for this G as the text reads
+  EXPECT_THAT(page(), HasSubstr("    text: 0, 1 values of 1 case; the least\n"));
+  EXPECT_THAT(page(), ContainsRegex("    table: 0\\.28[0-9]*, 1 values of 1 case\n"));
+  EXPECT_EQ(best_of(reading_fits(measured_cases(store.connection())))->reading->name, std::string("text"));
+}
+
+TEST_F(PaperTablesTest, SaysNothingOfAReadingWithoutResults) {
+  EXPECT_THAT(page(), HasSubstr("    half: no case with results\n"));
+  EXPECT_EQ(best_of(reading_fits(measured_cases(store.connection()))), nullptr);
 }
 
 TEST_F(PaperTablesTest, CaseWithoutCounterpartIsOneRow) {

@@ -1,0 +1,74 @@
+#include "campaign/tables/reading_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace softwall::campaign {
+namespace {
+
+constexpr std::array<const char*, 6> kCompared = {"re_tau_w", "re_tau",    "u_max",
+                                                  "y_max",    "delta_max", "delta_rms"};
+
+std::optional<double> printed_in(const PaperCase& paper, const char* column) {
+  const auto printed = paper.printed.find(column);
+  if (printed == paper.printed.end() || printed->second.empty()) return std::nullopt;
+  return std::strtod(printed->second.c_str(), nullptr);
+}
+
+double range_of(const std::vector<PaperCase>& papers, const char* column) {
+  std::vector<double> values;
+  for (const PaperCase& paper : papers) {
+    if (const auto value = printed_in(paper, column)) values.push_back(*value);
+  }
+  const auto [least, most] = std::ranges::minmax(values);
+  return most - least;
+}
+
+/// Adds the squares of the departures of one case; returns how many there are.
+int add_squares(const MeasuredCase& measured, const PaperCase& paper, const std::vector<PaperCase>& papers,
+                double& sum) {
+  int values = 0;
+  for (const char* column : kCompared) {
+    const auto found = measured.values.find(column);
+    const auto printed = printed_in(paper, column);
+    if (found == measured.values.end() || !found->second.value || !printed) continue;
+    const double departure = (*found->second.value - *printed) / range_of(papers, column);
+    sum += departure * departure;
+    ++values;
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<ReadingFit> reading_fits(const std::vector<MeasuredCase>& cases) {
+  const std::vector<PaperCase> papers = paper_cases();
+  std::vector<ReadingFit> fits;
+  for (const Reading& reading : kReadings) {
+    ReadingFit fit{.reading = &reading};
+    double sum = 0;
+    for (const MeasuredCase& measured : cases) {
+      for (const PaperCase& paper : papers) {
+        if (!paper.g_table || !is_match(measured, paper, reading)) continue;
+        const int values = add_squares(measured, paper, papers, sum);
+        fit.values += values;
+        fit.cases += values > 0 ? 1 : 0;
+      }
+    }
+    if (fit.values > 0) fit.departure = std::sqrt(sum / fit.values);
+    fits.push_back(fit);
+  }
+  return fits;
+}
+
+const ReadingFit* best_of(const std::vector<ReadingFit>& fits) {
+  const ReadingFit* best = nullptr;
+  for (const ReadingFit& fit : fits) {
+    if (fit.values > 0 && (best == nullptr || fit.departure < best->departure)) best = &fit;
+  }
+  return best;
+}
+
+}  // namespace softwall::campaign
