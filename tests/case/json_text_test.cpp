@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 std::string complaint_about_text(const std::string& text) {
-  return tests::complaint_about_text([&] { return parse_json(text, "text"); });
+  return tests::complaint([&] { return parse_json(text, "text"); });
 }
 
 TEST(JsonText, ReadsWhatIsJson) {
