@@ -145,8 +145,7 @@ void CommandLine::add_results_commands() {
     CLI::Option_group* format = command->add_option_group("Format");
     format->add_flag("--csv", arguments_.csv, "Comma-separated values");
     format->add_flag("--json", arguments_.json, "Print one JSON value");
-    if (command == table)
-      format->add_flag("--latex", arguments_.latex, "Two tabulars for either reading of G");
+    if (command == table) format->add_flag("--latex", arguments_.latex, "Two tabulars for each reading of G");
     format->require_option(command == exporting ? 1 : 0, 1);
   }
 }
