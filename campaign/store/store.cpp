@@ -37,7 +37,7 @@ std::optional<std::string> if_any(const std::string& text) {
 void write_case(Connection& connection, const CampaignCase& campaign_case) {
   const Case& definition = campaign_case.definition;
   const Physics& physics = definition.physics;
-  const nlohmann::json json = to_json(definition);
+  const nlohmann::json document = to_json(definition);
   std::optional<double> modulus, viscosity_ratio;
   if (physics.solid) {
     modulus = physics.solid->G;
@@ -52,9 +52,9 @@ void write_case(Connection& connection, const CampaignCase& campaign_case) {
       " end_time = excluded.end_time, ranks = excluded.ranks, physics = excluded.physics,"
       " run = excluded.run, varied = excluded.varied, in_campaign = 1",
       definition.id, definition.label, campaign_case.directory, campaign_case.is_precursor,
-      if_any(campaign_case.precursor_id), json.at("physics").at("flow").get<std::string>(), modulus,
+      if_any(campaign_case.precursor_id), document.at("physics").at("flow").get<std::string>(), modulus,
       viscosity_ratio, physics.reynolds, grid_text(physics.grid), cell_count(physics.grid),
-      definition.run.end_time, campaign_case.ranks, json.at("physics").dump(), json.at("run").dump(),
+      definition.run.end_time, campaign_case.ranks, document.at("physics").dump(), document.at("run").dump(),
       utc_now(), campaign_case.varied);
 }
 
