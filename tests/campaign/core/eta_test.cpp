@@ -71,8 +71,9 @@ TEST_F(Eta, LearnsTheSpeedFromCasesOfTheSameKind) {
   const GridSpec& grid = campaign_.cases[1].definition.physics.grid;
   const double cells = double(grid.nx) * grid.ny() * grid.nz;
   seen_[1].seconds_per_step = 1e-6 * cells;  // 1000 ns a cell on one rank
+  const MeasuredSpeed measured(campaign_, seen_);
   const auto speed = [&](std::size_t i) {
-    return measured_ns_per_cell_step(campaign_, seen_, campaign_.cases[i].definition.physics);
+    return measured.ns_per_cell_step(campaign_.cases[i].definition.physics);
   };
   EXPECT_NEAR(speed(4), 1000 * campaign_.cases[1].ranks, 1e-6);
   EXPECT_EQ(speed(0), default_ns_per_cell_step(campaign_.cases[0].definition.physics));
