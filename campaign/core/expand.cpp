@@ -133,8 +133,8 @@ class Expansion {
   std::string add_case(Candidate candidate, Made& to) {
     auto& [written, document, values, precursor_id] = candidate;
     const bool is_precursor = &to == &precursors_;
-    const auto refuse = [&](std::vector<Mistake> found) {
-      mistakes_.add(swept_label(values), is_precursor ? "/precursor: " : "", std::move(found));
+    const auto refuse = [&, &swept = values](std::vector<Mistake> found) {
+      mistakes_.add(swept_label(swept), is_precursor ? "/precursor: " : "", std::move(found));
       return std::string(16, '0');  // lets the cases that start from it be checked all the same
     };
     if (auto found = case_mistakes(written); !found.empty()) return refuse(std::move(found));
