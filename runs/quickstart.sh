@@ -18,7 +18,7 @@ quietly() {
   return "$status"
 }
 
-echo "This takes some five to ten minutes on two cores, most of them for packages and building."
+echo "This takes some six to ten minutes on two cores, most of them for packages and building."
 step "1/3 Packages"
 begun=$SECONDS
 bash runs/install-packages.sh
@@ -31,7 +31,7 @@ quietly cmake --build --preset native --parallel "$(nproc)" --target softwall so
 took
 
 softwall=build-native/bin/softwall
-step "3/3 Campaign: one rigid channel, then six elastic walls that start from its turbulence"
+step "3/3 Campaign: one rigid channel, then five elastic walls that start from its turbulence"
 begun=$SECONDS
 status=0
 "$softwall" run runs/quickstart/campaign.json || status=$?
@@ -50,9 +50,9 @@ Everything is in runs/quickstart/: results.db (SQLite), cases/ (a folder a case)
   export PATH="$PWD/build-native/bin:$PATH"
   softwall query runs/quickstart "SELECT label, re_tau, re_tau_ci95 FROM results"
   softwall export runs/quickstart --csv -o results.csv
-  softwall table runs/quickstart --from 15         # averages over another window; nothing is computed
+  softwall table runs/quickstart --from 60         # averages over another window; nothing is computed
   softwall plan runs/rosti-brandt-2017/coarse      # what the paper's cases would cost here
-Figures (Debian's python3-numpy python3-h5py python3-matplotlib):
+Figures (Debian's python3-numpy python3-h5py python3-matplotlib; runs/quickstart/example.png shows the first):
   /usr/bin/python3 analysis/plot_friction.py runs/quickstart
 Change runs/quickstart/campaign.json, run it again: only what is new is computed.
 END
