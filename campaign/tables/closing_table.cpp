@@ -43,8 +43,7 @@ void write_closing_table(std::ostream& out, Connection& store) {
   for (const MeasuredCase& measured : measured_cases(store)) {
     std::vector<std::string> row = {printable(measured.label), measured.state, window_of(measured)};
     for (const Shown& shown : kShown) {
-      const auto found = measured.values.find(shown.column);
-      row.push_back(found == measured.values.end() ? "-" : measured_text(found->second, shown.decimals));
+      row.push_back(measured_text(measured.value(shown.column), shown.decimals));
     }
     rows.push_back(std::move(row));
   }

@@ -29,8 +29,7 @@ bool is_match(const MeasuredCase& measured, const PaperCase& paper, const Readin
 }
 
 bool has_counterpart(const MeasuredCase& measured) {
-  const auto papers = paper_cases();
-  return std::ranges::any_of(papers, [&](const PaperCase& paper) {
+  return std::ranges::any_of(paper_cases(), [&](const PaperCase& paper) {
     return std::ranges::any_of(kReadings,
                                [&](const Reading& reading) { return is_match(measured, paper, reading); });
   });

@@ -1,6 +1,5 @@
 #include "campaign/tables/comparison_rows.hpp"
 
-#include <cstdlib>
 #include <string>
 
 #include "campaign/tables/comparison.hpp"
@@ -9,14 +8,6 @@ namespace softwall::campaign {
 namespace {
 
 Cell cell_of(const std::optional<double>& value) { return value ? Cell(*value) : Cell(std::monostate{}); }
-
-/// The digits that the paper prints, as a number.
-Cell printed_in(const PaperCase* paper, const char* column) {
-  if (paper == nullptr) return std::monostate{};
-  const auto printed = paper->printed.find(column);
-  if (printed == paper->printed.end() || printed->second.empty()) return std::monostate{};
-  return std::strtod(printed->second.c_str(), nullptr);
-}
 
 template <class Use>
 void for_each_quantity(const Use& use) {
@@ -35,9 +26,9 @@ std::vector<Cell> row_of(const MeasuredCase& measured, const Reading* reading, c
                            cell_of(measured.window_start),
                            cell_of(measured.window_end)};
   for_each_quantity([&](const Quantity& quantity) {
-    const auto found = measured.values.find(quantity.column);
-    const MeasuredValue value = found == measured.values.end() ? MeasuredValue{} : found->second;
-    row.insert(row.end(), {cell_of(value.value), cell_of(value.ci95), printed_in(paper, quantity.column)});
+    const MeasuredValue value = measured.value(quantity.column);
+    const auto printed = paper ? paper->number(quantity.column) : std::nullopt;
+    row.insert(row.end(), {cell_of(value.value), cell_of(value.ci95), cell_of(printed)});
   });
   return row;
 }
@@ -52,11 +43,10 @@ ResultTable comparison_rows(Connection& store) {
     const std::string name = quantity.column;
     table.columns.insert(table.columns.end(), {name, name + "_ci95", name + "_paper"});
   });
-  const auto papers = paper_cases();
   for (const MeasuredCase& measured : measured_cases(store)) {
     if (!has_counterpart(measured)) table.rows.push_back(row_of(measured, nullptr, nullptr));
     for (const Reading& reading : kReadings) {
-      for (const PaperCase& paper : papers) {
+      for (const PaperCase& paper : paper_cases()) {
         if (is_match(measured, paper, reading)) table.rows.push_back(row_of(measured, &reading, &paper));
       }
     }

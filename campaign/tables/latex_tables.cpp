@@ -48,19 +48,16 @@ void write_tabular(std::ostream& out, const Reading& reading, std::span<const Qu
   out << "\\hline\n";
   for (const PaperCase& paper : paper_cases()) {
     write_cells(out, latex_text(paper.name) + " (paper)", quantities, [&](const Quantity& quantity) {
-      const auto printed = paper.printed.find(quantity.column);
-      const bool there = printed != paper.printed.end() && !printed->second.empty();
-      return there ? "$" + printed->second + "$" : std::string("--");
+      const std::string printed = paper.digits(quantity.column);
+      return printed.empty() ? std::string("--") : "$" + printed + "$";
     });
     for (const MeasuredCase& measured : cases) {
       if (!is_match(measured, paper, reading)) continue;
       const std::string state = measured.state == "finished" ? "" : " (" + measured.state + ")";
-      write_cells(
-          out, "\\quad " + latex_text(measured.label + state), quantities, [&](const Quantity& quantity) {
-            const auto value = measured.values.find(quantity.column);
-            return in_mathematics(
-                value == measured.values.end() ? "-" : measured_text(value->second, quantity.decimals));
-          });
+      write_cells(out, "\\quad " + latex_text(measured.label + state), quantities,
+                  [&](const Quantity& quantity) {
+                    return in_mathematics(measured_text(measured.value(quantity.column), quantity.decimals));
+                  });
     }
   }
   out << "\\hline\n\\end{tabular}\n";

@@ -45,6 +45,11 @@ void read_values(Connection& store, const std::string& case_id, MeasuredCase& re
 
 }  // namespace
 
+MeasuredValue MeasuredCase::value(const std::string& column) const {
+  const auto found = values.find(column);
+  return found == values.end() ? MeasuredValue{} : found->second;
+}
+
 std::vector<MeasuredCase> measured_cases(Connection& store) {
   Statement rows = store.query(kCases);
   std::vector<MeasuredCase> cases;

@@ -22,6 +22,9 @@ struct MeasuredCase {
   std::optional<double> window_start, window_end;  ///< [h/U_b]; empty: nothing measured yet
   double end_time = 0.0;                           ///< [h/U_b]
   std::map<std::string, MeasuredValue> values;     ///< by column of `results`
+
+  /// Without a value where nothing was measured.
+  [[nodiscard]] MeasuredValue value(const std::string& column) const;
 };
 
 /// In the order of the paper's tables; cases left over from an earlier sweep are left out.

@@ -53,8 +53,8 @@ std::string paper_name(const PaperCase& paper, const Reading& reading) {
 Row paper_row(const PaperCase& paper, const Reading& reading, std::span<const Quantity> quantities) {
   Row row = {paper_name(paper, reading)};
   for (const Quantity& quantity : quantities) {
-    const auto printed = paper.printed.find(quantity.column);
-    row.push_back(printed == paper.printed.end() || printed->second.empty() ? "-" : printed->second);
+    const std::string printed = paper.digits(quantity.column);
+    row.push_back(printed.empty() ? "-" : printed);
   }
   return row;
 }
@@ -63,8 +63,7 @@ Row measured_row(const MeasuredCase& measured, std::span<const Quantity> quantit
   const std::string state = measured.state == "finished" ? "" : " (" + measured.state + ")";
   Row row = {shortened("  " + printable(measured.label), kFirstColumnWidth - state.size()) + state};
   for (const Quantity& quantity : quantities) {
-    const auto value = measured.values.find(quantity.column);
-    row.push_back(value == measured.values.end() ? "-" : measured_text(value->second, quantity.decimals));
+    row.push_back(measured_text(measured.value(quantity.column), quantity.decimals));
   }
   return row;
 }

@@ -59,6 +59,15 @@ PaperCase case_in(const std::string& line, const std::vector<std::string>& colum
 
 }  // namespace
 
+std::string PaperCase::digits(const std::string& column) const {
+  const auto found = printed.find(column);
+  return found == printed.end() ? "" : found->second;
+}
+
+std::optional<double> PaperCase::number(const std::string& column) const {
+  return number_in(digits(column), name);
+}
+
 std::vector<PaperCase> parse_paper_cases(std::string_view csv) {
   std::istringstream lines{std::string(csv)};
   std::vector<std::string> columns;
@@ -74,6 +83,9 @@ std::vector<PaperCase> parse_paper_cases(std::string_view csv) {
   return cases;
 }
 
-std::vector<PaperCase> paper_cases() { return parse_paper_cases(schemas::kRostiBrandt2017TablesCsv); }
+const std::vector<PaperCase>& paper_cases() {
+  static const std::vector<PaperCase> cases = parse_paper_cases(schemas::kRostiBrandt2017TablesCsv);
+  return cases;
+}
 
 }  // namespace softwall::campaign

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 namespace softwall::campaign {
 namespace {
@@ -11,30 +10,23 @@ namespace {
 constexpr std::array<const char*, 6> kCompared = {"re_tau_w", "re_tau",    "u_max",
                                                   "y_max",    "delta_max", "delta_rms"};
 
-std::optional<double> printed_in(const PaperCase& paper, const char* column) {
-  const auto printed = paper.printed.find(column);
-  if (printed == paper.printed.end() || printed->second.empty()) return std::nullopt;
-  return std::strtod(printed->second.c_str(), nullptr);
-}
-
-double range_of(const std::vector<PaperCase>& papers, const char* column) {
+double range_of(const char* column) {
   std::vector<double> values;
-  for (const PaperCase& paper : papers) {
-    if (const auto value = printed_in(paper, column)) values.push_back(*value);
+  for (const PaperCase& paper : paper_cases()) {
+    if (const auto value = paper.number(column)) values.push_back(*value);
   }
   const auto [least, most] = std::ranges::minmax(values);
   return most - least;
 }
 
 /// Adds the squares of the departures of one case; returns how many there are.
-int add_squares(const MeasuredCase& measured, const PaperCase& paper, const std::vector<PaperCase>& papers,
-                double& sum) {
+int add_squares(const MeasuredCase& measured, const PaperCase& paper, double& sum) {
   int values = 0;
   for (const char* column : kCompared) {
-    const auto found = measured.values.find(column);
-    const auto printed = printed_in(paper, column);
-    if (found == measured.values.end() || !found->second.value || !printed) continue;
-    const double departure = (*found->second.value - *printed) / range_of(papers, column);
+    const auto found = measured.value(column).value;
+    const auto printed = paper.number(column);
+    if (!found || !printed) continue;
+    const double departure = (*found - *printed) / range_of(column);
     sum += departure * departure;
     ++values;
   }
@@ -44,15 +36,14 @@ int add_squares(const MeasuredCase& measured, const PaperCase& paper, const std:
 }  // namespace
 
 std::vector<ReadingFit> reading_fits(const std::vector<MeasuredCase>& cases) {
-  const std::vector<PaperCase> papers = paper_cases();
   std::vector<ReadingFit> fits;
   for (const Reading& reading : kReadings) {
     ReadingFit fit{.reading = &reading};
     double sum = 0;
     for (const MeasuredCase& measured : cases) {
-      for (const PaperCase& paper : papers) {
+      for (const PaperCase& paper : paper_cases()) {
         if (!paper.g_table || !is_match(measured, paper, reading)) continue;
-        const int values = add_squares(measured, paper, papers, sum);
+        const int values = add_squares(measured, paper, sum);
         fit.values += values;
         fit.cases += values > 0 ? 1 : 0;
       }
