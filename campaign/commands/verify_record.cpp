@@ -90,9 +90,7 @@ std::string difference_of_result(Store& store, const CampaignCase& one, const Ru
     const std::string& id = one.definition.id;
     const auto origin = store.result_origin(id);
     if (!origin) return "the store has no result of it";
-    analysis::DeriveOptions window;
-    if (origin->window_asked.value_or(0) > 0) window.window_start = origin->window_asked;
-    const auto derived = analysis::derive(statistics, window);
+    const auto derived = analysis::derive(statistics, window_from(origin->window_asked.value_or(0)));
     if (origin->analysis_version != analysis::kAnalysisVersion) return "";
     for (const auto& [name, member] : analysis::kMeasuredMembers) {
       Statement row = store.connection().query(

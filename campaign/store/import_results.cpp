@@ -1,9 +1,6 @@
 #include "campaign/store/import_results.hpp"
 
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
@@ -13,6 +10,7 @@
 #include "campaign/observe/ladder.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
+#include "campaign/system/file_system.hpp"
 #include "solver/run_directory/build_info.hpp"
 #include "solver/run_directory/statistics_file.hpp"
 
@@ -77,9 +75,9 @@ bool is_current(const ResultOrigin& origin, const analysis::DerivedQuantities& d
 
 }  // namespace
 
-analysis::DeriveOptions window_of(const CampaignCase& one) {
+analysis::DeriveOptions window_from(double start) {
   analysis::DeriveOptions options;
-  if (one.window_start > 0) options.window_start = one.window_start;
+  if (start > 0) options.window_start = start;
   return options;
 }
 
@@ -101,7 +99,7 @@ bool import_result(Store& store, const CampaignCase& one, const RunFiles& run) {
   if (!statistics.case_id.empty() && statistics.case_id != id) {
     throw std::runtime_error(run.statistics().string() + " belongs to another case, " + statistics.case_id);
   }
-  const auto derived = analysis::derive(statistics, window_of(one));
+  const auto derived = analysis::derive(statistics, window_from(one.window_start));
   const auto origin = store.result_origin(id);
   if (origin && is_current(*origin, derived, *summary)) return false;
   store.record_result(id, derived, build_info().git_revision);
@@ -115,7 +113,7 @@ bool import_result_so_far(Store& store, const CampaignCase& one, const RunFiles&
   try {
     const auto statistics = analysis::read_statistics(run.statistics());
     if (statistics.case_id != id) return false;
-    derived = analysis::derive(statistics, window_of(one));
+    derived = analysis::derive(statistics, window_from(one.window_start));
   } catch (const std::runtime_error&) {
     return false;
   }
@@ -129,12 +127,8 @@ bool is_recorded(const ResultOrigin& origin, const CampaignCase& one, const RunF
   if (origin.analysis_version != analysis::kAnalysisVersion || origin.window_asked != one.window_start)
     return false;
   for (const auto& file : {run.statistics(), run.summary()}) {
-    // The time of change, which nobody can set, unlike that of modification.
-    struct stat status {};
-    if (stat(file.c_str(), &status) != 0) return false;
-    const auto since_1970 =
-        std::chrono::seconds(status.st_ctim.tv_sec) + std::chrono::nanoseconds(status.st_ctim.tv_nsec);
-    if (utc_text(std::chrono::floor<std::chrono::milliseconds>(since_1970)) >= origin.recorded) return false;
+    const std::string changed = change_time(file);
+    if (changed.empty() || changed >= origin.recorded) return false;
   }
   return true;
 }

@@ -1,33 +1,17 @@
 #include "campaign/store/settled.hpp"
 
-#include <sys/stat.h>
-
-#include <chrono>
-
 #include "campaign/observe/observe.hpp"
 #include "campaign/store/import_results.hpp"
+#include "campaign/system/file_system.hpp"
 #include "solver/case/time_comparison.hpp"
-#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
-namespace {
-
-/// The time of change, which nobody can set, unlike that of modification. Empty: there is no such directory.
-std::string changed_at(const std::filesystem::path& directory) {
-  struct stat status {};
-  if (stat(directory.c_str(), &status) != 0) return "";
-  const auto since_1970 =
-      std::chrono::seconds(status.st_ctim.tv_sec) + std::chrono::nanoseconds(status.st_ctim.tv_nsec);
-  return utc_text(std::chrono::floor<std::chrono::milliseconds>(since_1970));
-}
-
-}  // namespace
 
 bool is_settled(const CampaignCase& one, const CaseRecord& known, const RunFiles& run) {
   if (one.is_precursor || known.state != CaseState::kFinished ||
       !has_reached(known.reached_time, one.definition.run.end_time))
     return false;
-  const std::string changed = changed_at(run.directory);
+  const std::string changed = change_time(run.directory);
   return !changed.empty() && changed < known.state_since;
 }
 

@@ -1,12 +1,16 @@
 #include "campaign/system/file_system.hpp"
 
+#include <sys/stat.h>
 #include <sys/vfs.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <string>
 #include <system_error>
+
+#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
 
@@ -39,6 +43,14 @@ JournalMode journal_mode_for(const std::filesystem::path& path) {
                             path.string() + ": cannot ask for the file system");
   }
   return journal_mode_for_type(static_cast<long>(answer.f_type));
+}
+
+std::string change_time(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return "";
+  const auto since_1970 =
+      std::chrono::seconds(status.st_ctim.tv_sec) + std::chrono::nanoseconds(status.st_ctim.tv_nsec);
+  return utc_text(std::chrono::floor<std::chrono::milliseconds>(since_1970));
 }
 
 }  // namespace softwall::campaign

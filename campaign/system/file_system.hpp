@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace softwall::campaign {
 
@@ -17,5 +18,9 @@ enum class JournalMode {
 
 /// Of the file system that holds path. Throws std::system_error when it cannot be asked.
 [[nodiscard]] JournalMode journal_mode_for(const std::filesystem::path& path);
+
+/// When the file system last changed anything about a file or folder, UTC text in milliseconds: a time that
+/// nobody can set, unlike that of modification. Empty when it is not there.
+[[nodiscard]] std::string change_time(const std::filesystem::path& path);
 
 }  // namespace softwall::campaign
