@@ -7,28 +7,20 @@ import unittest
 
 from repository import ROOT
 
+sys.path.insert(0, str(ROOT / "schemas"))
+from keys import resolved  # noqa: E402
+
 SCHEMAS = {path.name: json.loads(path.read_text(encoding="utf-8")) for path in sorted((ROOT / "schemas").glob("*.json"))}
-
-
-def resolve(name, schema):
-    """Follows "$ref": "file#/a/b"."""
-    while "$ref" in schema:
-        file, _, pointer = schema["$ref"].partition("#")
-        name = file or name
-        schema = SCHEMAS[name]
-        for word in pointer.strip("/").split("/"):
-            schema = schema[word]
-    return name, schema
 
 
 def undescribed(name, schema, place):
     """A group of keys or a constant speaks for itself; any other key needs a description."""
     for key, value in schema.get("properties", {}).items():
-        home, resolved = resolve(name, value)
+        meant, home = resolved(value, name, SCHEMAS)
         here = f"{place}/{key}"
-        if "properties" in resolved:
-            yield from undescribed(home, resolved, here)
-        elif "const" not in resolved and not (value.get("description") or resolved.get("description")):
+        if "properties" in meant:
+            yield from undescribed(home, meant, here)
+        elif "const" not in meant and not (value.get("description") or meant.get("description")):
             yield here
 
 
