@@ -8,6 +8,7 @@
 #include "analysis/derived.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
+#include "campaign/store/import_results.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/case.hpp"
 #include "solver/run_directory/statistics_file.hpp"
