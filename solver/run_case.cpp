@@ -66,9 +66,12 @@ std::string introduction(const Case& c, const RunOptions& options, int ranks) {
        << build.compiler << "), " << ranks << (ranks == 1 ? " rank on " : " ranks on ") << host_name() << "\n"
        << "case " << c.id << " \"" << printable(c.label) << "\", attempt " << options.attempt << ": "
        << words_for(p.flow) << ", Re " << p.reynolds;
-  if (p.solid)
-    text << ", G " << p.solid->G << ", viscosity ratio " << p.solid->viscosity_ratio
+  if (p.solid) {
+    text << ", G " << p.solid->G;
+    if (p.solid->mooney_share > 0) text << " (Mooney-Rivlin, c2 / G " << p.solid->mooney_share << ")";
+    text << ", viscosity ratio " << p.solid->viscosity_ratio
          << (p.solid->formulation == SolidFormulation::kReferenceMap ? ", reference map" : ", transported B");
+  }
   text << ", grid " << p.grid.nx << " x " << p.grid.ny() << " x " << p.grid.nz << ", to time "
        << c.run.end_time << ", in " << name_of(p.precision) << " precision";
   return text.str();

@@ -59,6 +59,7 @@ struct SolidSpec {
   InterfaceTransport interface;
   double threshold;       ///< cells with phi below it take B from the solid, as `extension` says
   double min_eigenvalue;  ///< B is kept >= this in every cell
+  double mooney_share;    ///< c2 / G of the Mooney-Rivlin law (elastic_law.hpp); 0: neo-Hookean
   Extension extension;
   Stiffness stiffness;           ///< how the stress across thin rows enters the time step
   std::optional<DiscSpec> disc;  ///< initial shape in a closed box; absent: the layer on y > 2

@@ -74,6 +74,7 @@ SolidSpec solid_from(const json& solid) {
                  .interface = named(solid.at("interface"), kInterfaceNames),
                  .threshold = solid.at("threshold"),
                  .min_eigenvalue = solid.at("min_eigenvalue"),
+                 .mooney_share = solid.at("mooney_share"),
                  .extension = named(solid.at("extension"), kExtensionNames),
                  .stiffness = named(solid.at("stiffness"), kStiffnessNames),
                  .disc = std::nullopt};
@@ -157,6 +158,7 @@ json to_json(const SolidSpec& solid) {
                  {"interface", name_of(solid.interface, kInterfaceNames)},
                  {"threshold", solid.threshold},
                  {"min_eigenvalue", solid.min_eigenvalue},
+                 {"mooney_share", solid.mooney_share},
                  {"extension", name_of(solid.extension, kExtensionNames)},
                  {"stiffness", name_of(solid.stiffness, kStiffnessNames)}};
   if (solid.disc) result["disc"] = to_json(*solid.disc);

@@ -26,7 +26,8 @@ const Meaning* known_meaning(const std::string& name) {
        {"rho U_b^2", "mean viscous shear stress <mu (du/dy + dv/dx)> as the scheme counts it"}},
       {"elastic_stress",
        {"rho U_b^2",
-        "mean elastic shear stress: G B_xy times the share of the solid, as the scheme counts it"}},
+        "mean elastic shear stress (G B_xy of a neo-Hookean solid) times the share of the solid, as the "
+        "scheme counts it"}},
       {"driving_gradient", {"rho U_b^2/h", "pressure gradient P that drives the flow"}},
       {"wall_shear_bottom", {"U_b^2", "nu dU/dy at y = 0"}},
       {"wall_shear_top", {"U_b^2", "-nu dU/dy at the upper end of the channel"}},

@@ -5,6 +5,7 @@
 
 #include "solver/grid/cell_loop.hpp"
 #include "solver/grid/stage.hpp"
+#include "solver/solid/cofactors.hpp"
 #include "solver/solid/fraction.hpp"
 
 namespace softwall::solid {
@@ -24,10 +25,24 @@ struct StressOfSolid {
   Real yz(int i, int j, int k) const { return law.shear_stress(Byz(i, j, k)); }
 };
 
+/// The same of a law that needs the cofactors of B, too.
+struct StressWithCofactors {
+  static constexpr bool kAcrossRowsOnly = false;
+  Cofactors C;
+  ElasticLaw<Real> law;
+  Real xx(int i, int j, int k) const { return law.normal_stress(C.Bxx(i, j, k), C.xx(i, j, k)); }
+  Real yy(int i, int j, int k) const { return law.normal_stress(C.Byy(i, j, k), C.yy(i, j, k)); }
+  Real zz(int i, int j, int k) const { return law.normal_stress(C.Bzz(i, j, k), C.zz(i, j, k)); }
+  Real xy(int i, int j, int k) const { return law.shear_stress(C.Bxy(i, j, k), C.xy(i, j, k)); }
+  Real xz(int i, int j, int k) const { return law.shear_stress(C.Bxz(i, j, k), C.xz(i, j, k)); }
+  Real yz(int i, int j, int k) const { return law.shear_stress(C.Byz(i, j, k), C.yz(i, j, k)); }
+};
+
 /// Stress components anywhere: the solid's, times its share.
+template <class OfSolid>
 struct Stress {
   static constexpr bool kAcrossRowsOnly = false;
-  StressOfSolid solid;
+  OfSolid solid;
   Fraction phi;
   InterfaceShareView share;
   Real xx(int i, int j, int k) const { return phi.center(i, j, k) * solid.xx(i, j, k); }
@@ -50,12 +65,20 @@ ElasticForce::ElasticForce(ElasticLaw<Real> law, const InterfaceShare& share, co
 void ElasticForce::keep() { std::swap(now_, before_); }
 
 void ElasticForce::find(const Material& m, int first_row, int k) {
-  const StressOfSolid solid{m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(),
-                            m.B.xz.view(), m.B.yz.view(), law_};
+  if (law_.is_neo_hookean()) {
+    find(StressOfSolid{m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(),
+                       m.B.yz.view(), law_},
+         m, first_row, k);
+  } else {
+    find(StressWithCofactors{cofactors_of(m, grid_), law_}, m, first_row, k);
+  }
+}
+
+template <class StressOfSolid>
+void ElasticForce::find(const StressOfSolid& solid, const Material& m, int first_row, int k) {
   const int above = std::max(first_row, m.solid_edges_from(grid_.ny));
-  divergence_.find(
-      Stress{solid, {m.phi.view(), grid_.upper_share.data(), !share_.is_mean_by_volume()}, share_.view()},
-      first_row, above, k, now_);
+  const Fraction phi{m.phi.view(), grid_.upper_share.data(), !share_.is_mean_by_volume()};
+  divergence_.find(Stress<StressOfSolid>{solid, phi, share_.view()}, first_row, above, k, now_);
   divergence_.find(solid, above, grid_.ny, k, now_);
 }
 

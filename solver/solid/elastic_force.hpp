@@ -5,10 +5,11 @@
 #include "solver/solid/material.hpp"
 #include "solver/solid/stress_divergence.hpp"
 
-/// Force of the elastic stress (case/elastic_law.hpp) on the faces, f_i = d/dx_j [ phi G (B_ij - delta_ij) ].
-/// phi G delta_ij is the gradient of a center field, which the pressure absorbs exactly on this grid: it is
-/// left out, so that a wall at rest feels no force at all. For the same reason a multiple of the identity
-/// added to B (as the limiter does) moves nothing.
+/// Force of the elastic stress s (case/elastic_law.hpp) on the faces, f_i = d/dx_j [ phi s_ij ], which is
+/// d/dx_j [ phi G (B_ij - delta_ij) ] of a neo-Hookean solid. phi G delta_ij is the gradient of a center
+/// field, which the pressure absorbs exactly on this grid: it is left out, so that a wall at rest feels no
+/// force at all. For the same reason a multiple of the identity added to B (as the limiter does) moves
+/// nothing.
 namespace softwall::solid {
 
 class ElasticForce {
@@ -32,6 +33,9 @@ class ElasticForce {
   [[nodiscard]] const grid::VectorField& before() const { return before_; }
 
  private:
+  template <class StressOfSolid>
+  void find(const StressOfSolid& solid, const Material& material, int first_row, int k);
+
   ElasticLaw<Real> law_;
   const InterfaceShare& share_;
   const Grid& grid_;

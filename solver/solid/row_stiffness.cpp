@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "solver/case/cofactor_stiffness.hpp"
 #include "solver/case/step_limits.hpp"
+#include "solver/solid/cofactors.hpp"
 #include "solver/solid/fraction.hpp"
 
 namespace softwall::solid {
@@ -12,6 +14,8 @@ namespace softwall::solid {
 struct RowStiffness::Edges {
   Fraction phi;
   View<const Real> Byy;
+  Cofactors C;
+  ElasticLaw<Real> law;
   InterfaceShareView share;
   const Real *inv_dy, *inv_dy_face;
   Real elastic, viscous;  ///< weights
@@ -30,6 +34,34 @@ struct RowStiffness::Edges {
   }
   [[nodiscard]] Real Byy_yz(int i, int j, int k) const {
     return between(j, [=, this](int row) { return Byy(i, row, k) + Byy(i, row, k - 1); }) / 2;
+  }
+  /// Stiffness over G that waves between rows feel, of displacements along x on xy edges, along z on yz edges
+  /// and along y at centers.
+  template <bool kNeoHookean>
+  [[nodiscard]] Real stretch_xy(int i, int j, int k) const {
+    const Real B = Byy_xy(i, j, k);
+    if constexpr (kNeoHookean) return B;
+    return law.mean(
+        B, between(j, [=, this](int row) { return (along_x(i, row, k) + along_x(i - 1, row, k)) / 2; }));
+  }
+  template <bool kNeoHookean>
+  [[nodiscard]] Real stretch_yz(int i, int j, int k) const {
+    const Real B = Byy_yz(i, j, k);
+    if constexpr (kNeoHookean) return B;
+    return law.mean(
+        B, between(j, [=, this](int row) { return (along_z(i, row, k) + along_z(i, row, k - 1)) / 2; }));
+  }
+  template <bool kNeoHookean>
+  [[nodiscard]] Real stretch_center(int i, int j, int k) const {
+    if constexpr (kNeoHookean) return Byy(i, j, k);
+    return law.mean(Byy(i, j, k), step_limits::implicit_along_y(C.xx(i, j, k), C.zz(i, j, k)));
+  }
+  /// Of displacements along x and z, at centers.
+  [[nodiscard]] Real along_x(int i, int j, int k) const {
+    return step_limits::implicit_in_plane(C.xx(i, j, k), C.xz_of_center(i, j, k));
+  }
+  [[nodiscard]] Real along_z(int i, int j, int k) const {
+    return step_limits::implicit_in_plane(C.zz(i, j, k), C.xz_of_center(i, j, k));
   }
   template <bool kViscous>
   [[nodiscard]] Real in_solid(int j, Real stretch) const {
@@ -55,8 +87,8 @@ struct RowStiffness::Edges {
     return ratio * share_of_solid(fraction, a) - factor_of_fluid(fraction, a) * fraction;
   }
   template <bool kViscous>
-  [[nodiscard]] Real center(int i, int j, int k) const {
-    Real c = elastic * Byy(i, j, k);
+  [[nodiscard]] Real center(int i, int j, int k, Real stretch) const {
+    Real c = elastic * stretch;
     if constexpr (kViscous) c += 2 * viscous * (ratio - 1);
     return c * phi.center(i, j, k) * inv_dy[j];
   }
@@ -73,7 +105,7 @@ void fill(Real* row, int n, const Value& value) {
 }  // namespace
 
 RowStiffness::RowStiffness(const SolidSpec& spec, const Formulation& formulation, const Grid& g)
-    : law_{spec.G},
+    : law_(law_of<double>(spec)),
       viscosity_ratio_(spec.viscosity_ratio),
       formulation_(formulation),
       grid_(g),
@@ -91,6 +123,8 @@ void RowStiffness::apply(const Material& m, const grid::VectorField& before, con
   const Edges edges{
       {m.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()},
       m.B.yy.view(),
+      cofactors_of(m, g),
+      {Real(law_.G), Real(law_.mooney_share)},
       share.view(),
       g.inv_dy.data(),
       g.inv_dy_face.data(),
@@ -109,8 +143,18 @@ void RowStiffness::apply(const Material& m, const grid::VectorField& before, con
 }
 
 template <bool kViscous>
-void RowStiffness::apply(const Edges& at, const grid::VectorField& before, Real driving, int first_row,
+void RowStiffness::apply(const Edges& edges, const grid::VectorField& before, Real driving, int first_row,
                          grid::VectorField& velocity) {
+  if (law_.is_neo_hookean()) {
+    apply_law<kViscous, true>(edges, before, driving, first_row, velocity);
+  } else {
+    apply_law<kViscous, false>(edges, before, driving, first_row, velocity);
+  }
+}
+
+template <bool kViscous, bool kNeoHookean>
+void RowStiffness::apply_law(const Edges& at, const grid::VectorField& before, Real driving, int first_row,
+                             grid::VectorField& velocity) {
   const Grid& g = grid_;
   const int ny = g.ny, nx = g.nx;
   /// fraction(i, j), a(i), stretch(i, j): of the edges of a plane.
@@ -135,16 +179,19 @@ void RowStiffness::apply(const Edges& at, const grid::VectorField& before, Real 
     };
   };
   for (int k = 0; k < g.nz; ++k) {
-    const auto on_xy =
-        on_edges([=](int i, int j) { return at.phi.edge_xy(i, j, k); },
-                 [=](int i) { return at.share.xy(i, k); }, [=](int i, int j) { return at.Byy_xy(i, j, k); });
-    const auto on_yz =
-        on_edges([=](int i, int j) { return at.phi.edge_yz(i, j, k); },
-                 [=](int i) { return at.share.yz(i, k); }, [=](int i, int j) { return at.Byy_yz(i, j, k); });
+    const auto on_xy = on_edges([=](int i, int j) { return at.phi.edge_xy(i, j, k); },
+                                [=](int i) { return at.share.xy(i, k); },
+                                [=](int i, int j) { return at.template stretch_xy<kNeoHookean>(i, j, k); });
+    const auto on_yz = on_edges([=](int i, int j) { return at.phi.edge_yz(i, j, k); },
+                                [=](int i) { return at.share.yz(i, k); },
+                                [=](int i, int j) { return at.template stretch_yz<kNeoHookean>(i, j, k); });
     const auto on_centers = [=](Side& side, int j) {
       const bool in_band = j > first_row;
-      fill(side.own.data(), nx,
-           [=](int i) { return in_band ? at.template center<kViscous>(i, j - 1, k) : 0; });
+      fill(side.own.data(), nx, [=](int i) {
+        return in_band ? at.template center<kViscous>(i, j - 1, k,
+                                                      at.template stretch_center<kNeoHookean>(i, j - 1, k))
+                       : 0;
+      });
     };
     solve<kViscous>({g.inv_dy.data(), first_row, k, driving}, on_xy, before.x.view(), velocity.x.view());
     solve<false>({g.inv_dy_face.data(), std::max(first_row, 1), k, 0}, on_centers, before.y.view(),

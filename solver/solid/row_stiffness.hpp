@@ -15,7 +15,8 @@
 /// changes; where it rests, q = 0, so that what is at equilibrium is as without. The coefficient is not phi G
 /// B_yy but (1 + s) times that: it must outweigh what is left explicit of waves that run obliquely
 /// through sheared material (step_limits::kSpareStiffness), and more of it than is exact makes no wave grow,
-/// as long as it is the same in all substeps.
+/// as long as it is the same in all substeps. Of a Mooney-Rivlin solid c holds c1 B_yy and, for the component
+/// of q along t, c2 times what case/cofactor_stiffness.hpp takes for C_tt.
 namespace softwall::solid {
 
 struct ImplicitWeights {
@@ -51,6 +52,9 @@ class RowStiffness {
   template <bool kViscous>
   void apply(const Edges& edges, const grid::VectorField& before, Real driving, int first_row,
              grid::VectorField& velocity);
+  template <bool kViscous, bool kNeoHookean>
+  void apply_law(const Edges& edges, const grid::VectorField& before, Real driving, int first_row,
+                 grid::VectorField& velocity);
   template <bool kAbove, class Coefficients>
   void solve(const Systems& systems, const Coefficients& c, View<const Real> before, View<Real> velocity);
   /// Row j of a plane; there is one for -1.

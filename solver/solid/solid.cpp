@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "solver/case/cofactor_stiffness.hpp"
+#include "solver/case/elastic_law.hpp"
 #include "solver/case/step_limits.hpp"
 #include "solver/grid/cell_loop.hpp"
 #include "solver/parallel/reduce.hpp"
+#include "solver/solid/cofactors.hpp"
 #include "solver/solid/transported_b/transported_b.hpp"
 
 namespace softwall::solid {
@@ -41,7 +44,7 @@ Solid::Solid(const SolidSpec& spec, const Grid& grid, const parallel::Decomposit
       grid_(grid),
       decomposition_(decomposition),
       formulation_(make_formulation(spec, grid, decomposition, halo)),
-      force_({Real(spec.G)}, formulation_->interface_share(), grid) {
+      force_(law_of<Real>(spec), formulation_->interface_share(), grid) {
   const InterfaceShare& share = formulation_->interface_share();
   const bool implicit = spec.stiffness == Stiffness::kImplicit;
   splits_viscosity_ = implicit && spec.viscosity_ratio > 1;
@@ -119,25 +122,41 @@ std::vector<double> Solid::excess_shear_sums(const Material& material,
 
 double Solid::elastic_limit(const Material& m) const {
   using step_limits::Deformation, step_limits::InverseSpacings;
-  const auto phi = m.phi.view(), xx = m.B.xx.view(), yy = m.B.yy.view(), zz = m.B.zz.view(),
-             xy = m.B.xy.view(), xz = m.B.xz.view(), yz = m.B.yz.view();
+  const auto phi = m.phi.view();
+  const Cofactors C = cofactors_of(m, grid_);
+  const auto law = law_of<Real>(spec_);
   const Real* inv_dy = grid_.inv_dy.data();
   const Real inv_dx = Real(1 / grid_.dx), inv_dz = Real(1 / grid_.dz);
   const auto stiffest = [&](const auto& stiffness) {
     double found = 0;  // height by height, as the fields lie in memory
     for (int j = first_row_; j < grid_.ny; ++j) {
       found = grid::max_cells(grid::rows(grid_, j, j + 1), found, [=](int i, int row, int k) {
-        const Deformation<Real> B{xx(i, row, k), yy(i, row, k), zz(i, row, k),
-                                  xy(i, row, k), xz(i, row, k), yz(i, row, k)};
-        return phi(i, row, k) * stiffness(B, InverseSpacings<Real>{inv_dx, inv_dy[row], inv_dz});
+        return phi(i, row, k) * stiffness(i, row, k, InverseSpacings<Real>{inv_dx, inv_dy[row], inv_dz});
       });
     }
     return parallel::maximum(decomposition_.all(), found);
   };
-  const double found =
-      row_stiffness_ ? stiffest([](const auto& B, const auto& inv) { return stiffness_along_rows(B, inv); })
-                     : stiffest([](const auto& B, const auto& inv) { return stiffness(B, inv); });
-  return step_limits::elastic(spec_.stiffness, {spec_.G}, found);
+  const auto B = [=](int i, int j, int k) {
+    return Deformation<Real>{C.Bxx(i, j, k), C.Byy(i, j, k), C.Bzz(i, j, k),
+                             C.Bxy(i, j, k), C.Bxz(i, j, k), C.Byz(i, j, k)};
+  };
+  const auto found = [&](const auto& of_B, const auto& of_C) {
+    if (law.is_neo_hookean())
+      return stiffest([=](int i, int j, int k, const auto& inv) { return of_B(B(i, j, k), inv); });
+    return stiffest([=](int i, int j, int k, const auto& inv) {
+      const Deformation<Real> cofactors{C.xx(i, j, k), C.yy(i, j, k), C.zz(i, j, k),
+                                        C.xy(i, j, k), C.xz(i, j, k), C.yz(i, j, k)};
+      return law.mean(of_B(B(i, j, k), inv), of_C(cofactors, inv));
+    });
+  };
+  using Tensor = const Deformation<Real>&;
+  using Spacings = const InverseSpacings<Real>&;
+  const double most =
+      row_stiffness_ ? found([](Tensor b, Spacings inv) { return stiffness_along_rows(b, inv); },
+                             [](Tensor c, Spacings inv) { return cofactor_stiffness_along_rows(c, inv); })
+                     : found([](Tensor b, Spacings inv) { return stiffness(b, inv); },
+                             [](Tensor c, Spacings inv) { return cofactor_stiffness(c, inv); });
+  return step_limits::elastic(spec_.stiffness, law_of<double>(spec_), most);
 }
 
 Material flat_layer(const Grid& g, SolidFormulation formulation) {

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/case/elastic_law.hpp"
 #include "solver/grid/cell_loop.hpp"
 #include "solver/parallel/reduce.hpp"
+#include "solver/solid/cofactors.hpp"
 
 namespace softwall::statistics {
 
@@ -87,10 +89,17 @@ BoxEnergy energy_of(const time::State& s, const time::Setup& setup) {
   if (s.elastic) {
     const auto phi = s.material.phi.view(), xx = s.material.B.xx.view(), yy = s.material.B.yy.view(),
                zz = s.material.B.zz.view();
-    const ElasticLaw<double> law{setup.physics.solid->G};
-    energy[1] = grid::sum_cells(box, [=](int i, int j, int k) {
-      return phi(i, j, k) * law.energy(double(xx(i, j, k)) + yy(i, j, k) + zz(i, j, k)) * dy[j];
-    });
+    const auto law = law_of<double>(*setup.physics.solid);
+    const auto trace = [=](int i, int j, int k) { return double(xx(i, j, k)) + yy(i, j, k) + zz(i, j, k); };
+    const solid::Cofactors C = solid::cofactors_of(s.material, g);
+    energy[1] =
+        law.is_neo_hookean()
+            ? grid::sum_cells(
+                  box, [=](int i, int j, int k) { return phi(i, j, k) * law.energy(trace(i, j, k)) * dy[j]; })
+            : grid::sum_cells(box, [=](int i, int j, int k) {
+                const double of_C = double(C.xx(i, j, k)) + C.yy(i, j, k) + C.zz(i, j, k);
+                return phi(i, j, k) * law.energy(trace(i, j, k), of_C) * dy[j];
+              });
   }
   parallel::sum(setup.decomposition.all(), energy);
   return {energy[0] * g.dx / g.nz_global, energy[1] * g.dx / g.nz_global};

@@ -2,7 +2,9 @@
 
 #include <array>
 
+#include "solver/case/elastic_law.hpp"
 #include "solver/parallel/reduce.hpp"
+#include "solver/solid/cofactors.hpp"
 #include "solver/solid/fraction.hpp"
 
 namespace softwall::statistics {
@@ -29,9 +31,12 @@ constexpr std::array<ProfileKind, kProfileCount> kProfileKinds = {{
     {"phi", Location::kCenter, "", ""},
     {"fluid_u", Location::kCenter, "U_b", "streamwise flow of the fluid, <(1 - phi) u>"},
     {"elastic_stress", Location::kFace, "", ""},
-    {"elastic_xx", Location::kCenter, "rho U_b^2", "mean elastic normal stress <phi G B_xx>"},
-    {"elastic_yy", Location::kCenter, "rho U_b^2", "mean elastic normal stress <phi G B_yy>"},
-    {"elastic_zz", Location::kCenter, "rho U_b^2", "mean elastic normal stress <phi G B_zz>"},
+    {"elastic_xx", Location::kCenter, "rho U_b^2",
+     "mean elastic normal stress <phi G B_xx> (Mooney-Rivlin: <phi (c1 B_xx - c2 C_xx)>)"},
+    {"elastic_yy", Location::kCenter, "rho U_b^2",
+     "mean elastic normal stress <phi G B_yy> (Mooney-Rivlin: <phi (c1 B_yy - c2 C_yy)>)"},
+    {"elastic_zz", Location::kCenter, "rho U_b^2",
+     "mean elastic normal stress <phi G B_zz> (Mooney-Rivlin: <phi (c1 B_zz - c2 C_zz)>)"},
 }};
 
 /// u, u u, w, w w, p, p p of one line of cells in x, added to row j.
@@ -95,16 +100,46 @@ void add_solid_center_line(const time::State& s, double G, int nx, int j, int k,
   sums(kElasticZz, j) += G * stress_z;
 }
 
-void add_solid_face_line(const time::State& s, const Grid& g, double G, const solid::InterfaceShare& share,
-                         int j, int k, PlaneMeans& sums) {
+/// What the second constant of a Mooney-Rivlin solid changes of these normal stresses: B becomes B - m (B +
+/// C).
+void add_second_constant(const time::State& s, const ElasticLaw<double>& law, const Grid& g, int j, int k,
+                         PlaneMeans& sums) {
+  const auto phi = s.material.phi.view();
+  const solid::Cofactors C = solid::cofactors_of(s.material, g);
+  double stress_x = 0, stress_y = 0, stress_z = 0;
+#pragma omp simd reduction(+ : stress_x, stress_y, stress_z)
+  for (int i = 0; i < g.nx; ++i) {
+    const double f = phi(i, j, k);
+    stress_x += f * (C.Bxx(i, j, k) + C.xx(i, j, k));
+    stress_y += f * (C.Byy(i, j, k) + C.yy(i, j, k));
+    stress_z += f * (C.Bzz(i, j, k) + C.zz(i, j, k));
+  }
+  const double c2 = law.G * law.mooney_share;
+  sums(kElasticXx, j) -= c2 * stress_x;
+  sums(kElasticYy, j) -= c2 * stress_y;
+  sums(kElasticZz, j) -= c2 * stress_z;
+}
+
+void add_solid_face_line(const time::State& s, const Grid& g, const ElasticLaw<double>& law,
+                         const solid::InterfaceShare& share, int j, int k, PlaneMeans& sums) {
   const solid::Fraction phi{s.material.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()};
   const auto xy = s.material.B.xy.view();
   const auto shared = share.view();
+  const auto share_of_edge = [=](int i) {
+    return solid::share_of_solid(phi.edge_xy(i, j, k), shared.xy(i, k));
+  };
   double stress = 0;
+  if (law.is_neo_hookean()) {
 #pragma omp simd reduction(+ : stress)
-  for (int i = 0; i < g.nx; ++i)
-    stress += solid::share_of_solid(phi.edge_xy(i, j, k), shared.xy(i, k)) * xy(i, j, k);
-  sums(kElasticStress, j) += G * stress;
+    for (int i = 0; i < g.nx; ++i) stress += share_of_edge(i) * xy(i, j, k);
+  } else {
+    const solid::Cofactors C = solid::cofactors_of(s.material, g);
+    const Real m = Real(law.mooney_share);
+#pragma omp simd reduction(+ : stress)
+    for (int i = 0; i < g.nx; ++i)
+      stress += share_of_edge(i) * (xy(i, j, k) - m * (xy(i, j, k) + C.xy(i, j, k)));
+  }
+  sums(kElasticStress, j) += law.G * stress;
 }
 
 fluid::MomentumInput momentum_input(const time::State& s, const time::Setup& setup) {
@@ -119,15 +154,16 @@ PlaneMeans local_sums(const time::State& s, const time::Setup& setup) {
   const Grid& g = setup.grid;
   const auto m = momentum_input(s, setup);
   const int solid_row = setup.solid ? setup.solid->first_row() : g.ny + 1;
-  const double G = setup.physics.solid ? setup.physics.solid->G : 0;
+  const auto law = setup.physics.solid ? law_of<double>(*setup.physics.solid) : ElasticLaw<double>{0};
   PlaneMeans sums(s.elastic, g.ny);
   for (int k = 0; k < g.nz; ++k) {
     for (int j = 0; j <= g.ny; ++j) {
       if (j < g.ny) add_center_line(s, g.nx, j, k, sums);
       add_face_line(m, g.nx, j, k, sums);
       if (j < solid_row) continue;
-      if (j < g.ny) add_solid_center_line(s, G, g.nx, j, k, sums);
-      add_solid_face_line(s, g, G, setup.solid->interface_share(), j, k, sums);
+      if (j < g.ny) add_solid_center_line(s, law.G, g.nx, j, k, sums);
+      if (j < g.ny && !law.is_neo_hookean()) add_second_constant(s, law, g, j, k, sums);
+      add_solid_face_line(s, g, law, setup.solid->interface_share(), j, k, sums);
     }
   }
   if (s.elastic) {

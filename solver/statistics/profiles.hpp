@@ -15,9 +15,9 @@
 /// (uu + vv + ww) / 2 is the kinetic energy the scheme conserves:
 ///   uu[j] = <u u> on x faces, ww[j] = <w w> on z faces, vv[j] = (<v v> on face j + <v v> on face j+1) / 2.
 /// The stresses on y faces are the means of exactly the fluxes that the momentum equation differences:
-///   viscous_stress - uv = <flux_xy> and the solid's excess viscous stress,   elastic_stress = <s G B_xy>, s
-///   the share
-/// of the solid (solid/interface_share.hpp),
+///   viscous_stress - uv = <flux_xy> and the solid's excess viscous stress,
+///   elastic_stress = <s s_xy>, s the share of the solid (solid/interface_share.hpp) and s_xy = G B_xy of a
+///   neo-Hookean solid (case/elastic_law.hpp),
 /// so their sum obeys the discrete balance d/dt <u> = P + d/dy (viscous_stress - uv + elastic_stress).
 namespace softwall::statistics {
 

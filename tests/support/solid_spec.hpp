@@ -14,6 +14,7 @@ inline SolidSpec solid_of(double G) {
           .interface = InterfaceTransport::kWeno,
           .threshold = 0.9,
           .min_eigenvalue = 1e-4,
+          .mooney_share = 0,
           .extension = Extension::kColumn,
           .stiffness = Stiffness::kImplicit,
           .disc = std::nullopt};

@@ -166,6 +166,11 @@ std::vector<support::NamedSolid> all_solids() {
   sharp.name = "SharpTransportedB";
   sharp.spec.interface = InterfaceTransport::kMthinc;
   all.push_back(sharp);
+  for (const std::size_t formulation : {0, 1}) {
+    all.push_back(all[formulation]);
+    all.back().name = "MooneyRivlin" + all.back().name;
+    all.back().spec.mooney_share = 0.5;
+  }
   return all;
 }
 

@@ -45,6 +45,15 @@ TEST(Ranks, ElasticChannelIsTheSame) {
   }
 }
 
+TEST(Ranks, ElasticChannelWithAMooneyRivlinWallIsTheSame) {
+  Physics p = support::elastic_channel({13, 12, 6, 14});
+  p.reynolds = 500;
+  p.solid->mooney_share = 0.5;
+  for (const auto formulation : support::kBothFormulations) {
+    expect_independent_of_ranks(support::formulated(p, formulation), support::smooth_state);
+  }
+}
+
 TEST(Ranks, ElasticChannelWithASharpInterfaceIsTheSame) {
   Physics p = support::elastic_channel({13, 12, 6, 14});
   p.reynolds = 500;

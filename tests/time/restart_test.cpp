@@ -75,6 +75,20 @@ TEST(Restart, ElasticChannelWithAReferenceMapGoesOnWithTheSameBits) {
   }
 }
 
+TEST(Restart, AMooneyRivlinWallGoesOnWithTheSameBits) {
+  for (const auto formulation : support::kBothFormulations) {
+    const support::Cells cells = formulation == SolidFormulation::kReferenceMap
+                                     ? support::Cells{12, 48, 18, 8}
+                                     : support::Cells{12, 16, 6, 8};
+    Physics p = support::formulated(support::elastic_channel(cells), formulation);
+    p.reynolds = 300;
+    p.solid->G = 0.25;
+    p.solid->mooney_share = 0.5;
+    p.solid->viscosity_ratio = 3;
+    expect_same_bits_from_any_moment(p, 40, false);
+  }
+}
+
 TEST(Restart, AnExplicitElasticForceGoesOnWithTheSameBits) {
   for (const auto formulation : support::kBothFormulations) {
     const support::Cells cells = formulation == SolidFormulation::kReferenceMap

@@ -18,6 +18,11 @@ int lowest_kept_row(int first_row) { return std::max(0, first_row - kGhost); }
 /// Planes of rates that are found before the first of them is used: as far as transport reads.
 constexpr int kPlanes = kGhost + 1;
 
+class NoFollower final : public PlaneFollower {
+ public:
+  void plane_is_ready(int) override {}
+};
+
 }  // namespace
 
 ReferenceMap::ReferenceMap(const SolidSpec& spec, const Grid& grid,
@@ -30,7 +35,8 @@ ReferenceMap::ReferenceMap(const SolidSpec& spec, const Grid& grid,
       recent_(grid::some_planes(grid, kPlanes)),
       before_(grid, 0),
       volume_error_(grid, 1),
-      damage_({Real(spec.G)}, grid),
+      is_neo_hookean_(law_of<Real>(spec).is_neo_hookean()),
+      damage_(law_of<Real>(spec), grid),
       mending_(grid, kPlanes),
       strain_(grid),
       own_heights_(grid, 1),
@@ -175,12 +181,19 @@ void ReferenceMap::continue_fraction(Material& m, int first_row) const {
   grid::for_each_cell(around(-1), [=](int i, int j, int k) { phi(i, j, k) = phi(i, 0, k); });
 }
 
-/// B. Returns the number of torn cells.
+/// B. Returns the number of torn cells. The stress of a neo-Hookean solid reads no more of its neighbours
+/// than the sweep finds. Any other needs all ghost cells of B, and so the whole of B, before its first plane.
 std::int64_t ReferenceMap::find_strain(Material& m, int first_row, PlaneFollower& follower) {
-  return strain_.run(strain_of(m.displacement, grid_), std::as_const(m.phi).view(), first_row,
-                     {m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(),
-                      m.B.yz.view(), volume_error_.view()},
-                     damage_, follower);
+  NoFollower nobody;
+  const std::int64_t torn =
+      strain_.run(strain_of(m.displacement, grid_), std::as_const(m.phi).view(), first_row,
+                  {m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(), m.B.yz.view(),
+                   volume_error_.view()},
+                  damage_, is_neo_hookean_ ? follower : nobody);
+  if (is_neo_hookean_) return torn;
+  halo_.fill({&m.B.xx, &m.B.yy, &m.B.zz, &m.B.xy, &m.B.xz, &m.B.yz}, {first_row, grid_.ny + 1});
+  for (int k = 0; k < grid_.nz; ++k) follower.plane_is_ready(k);
+  return torn;
 }
 
 }  // namespace softwall::solid::reference_map

@@ -61,6 +61,7 @@ class ReferenceMap : public Formulation {
   grid::VectorField recent_;  ///< r^{k-1} in the last planes where it was found
   grid::VectorField before_;  ///< r^{k-2}; where d is up to date, r^{k-1}
   grid::Field volume_error_;  ///< at centers
+  bool is_neo_hookean_;
   Damage damage_;
   Mending mending_;
   StrainSweep strain_;
