@@ -44,6 +44,17 @@ void put(const Point& point, json& physics) {
   for (const auto& [pointer, value] : point) physics[Pointer(pointer)] = value;
 }
 
+/// Gives an elastic wall the campaign's default of solid.dt_plus, which is not that of a case. Returns
+/// whether the campaign's file left it open.
+bool limit_steps(json& physics) {
+  const Pointer dt_plus("/solid/dt_plus"), fixed_dt("/time_step/fixed_dt");
+  if (physics.at("flow") != "elastic_wall" || !physics.contains("solid") || physics.contains(dt_plus) ||
+      physics.contains(fixed_dt))
+    return false;
+  physics[dt_plus] = campaign_schema().part(Pointer("/physics/solid/dt_plus"))->at("default");
+  return true;
+}
+
 class Expansion {
  public:
   Expansion(const CampaignSpec& spec, const ExistingCases& existing)
@@ -86,6 +97,7 @@ class Expansion {
     json written, filled;      ///< the document, without and with defaults
     std::vector<json> values;  ///< by swept pointer, before it was made to start from a precursor
     std::string precursor_id;
+    bool any_steps;  ///< the campaign does not say how long its steps may be
   };
 
   void add(const Point& point) {
@@ -93,6 +105,7 @@ class Expansion {
     put(point, physics);
     if (!physics.contains("flow"))
       physics["flow"] = campaign_schema().part(Pointer("/physics/flow"))->at("default");
+    const bool any_steps = limit_steps(physics);
     json document = document_of(std::move(physics), spec_.run);
     json filled = with_defaults(document);
     const json& wanted = filled.at("physics");
@@ -106,7 +119,7 @@ class Expansion {
                                         {"precursor_time", spec_.precursor.at("run").at("end_time")}};
       filled = with_defaults(document);
     }
-    add_case({std::move(document), std::move(filled), std::move(values), precursor_id}, cases_);
+    add_case({std::move(document), std::move(filled), std::move(values), precursor_id, any_steps}, cases_);
   }
 
   /// Id of the precursor that this point's case starts from; made if no earlier point needed the same.
@@ -126,12 +139,12 @@ class Expansion {
     json document = document_of(std::move(physics), std::move(run));
     json filled = with_defaults(document);
     std::vector<json> values = values_of(filled.at("physics"));
-    return add_case({std::move(document), std::move(filled), std::move(values), ""}, precursors_);
+    return add_case({std::move(document), std::move(filled), std::move(values), "", false}, precursors_);
   }
 
   /// Checks a case and appends it unless it is there already. Returns its id.
   std::string add_case(Candidate candidate, Made& to) {
-    auto& [written, document, values, precursor_id] = candidate;
+    auto& [written, document, values, precursor_id, any_steps] = candidate;
     const bool is_precursor = &to == &precursors_;
     const auto refuse = [&, &swept = values](std::vector<Mistake> found) {
       mistakes_.add(swept_label(swept), is_precursor ? "/precursor: " : "", std::move(found));
@@ -140,7 +153,7 @@ class Expansion {
     if (auto found = case_mistakes(written); !found.empty()) return refuse(std::move(found));
     CampaignCase made;
     made.window_start = document.at("physics").at("statistics").at("start_time");
-    sample_for_any_window(document.at("physics"));
+    continue_existing(document.at("physics"), any_steps);
     if (auto never = never_sampled(document, made.window_start)) return refuse({*never});
     made.definition = valid_case(document);
     made.is_precursor = is_precursor;
@@ -157,11 +170,13 @@ class Expansion {
     return id;
   }
 
-  /// What a case samples does not depend on the averaging window that is wanted of it now.
-  void sample_for_any_window(json& physics) const {
-    const StatisticsSpec sampled = existing_.statistics_for(physics);
-    physics["statistics"]["start_time"] = sampled.start_time;
-    physics["statistics"]["block_length"] = sampled.block_length;
+  /// What a case samples does not depend on the averaging window that is wanted of it now, and the steps of
+  /// one that an earlier version began stay what they were.
+  void continue_existing(json& physics, bool any_steps) const {
+    const Continuation found = existing_.continuation_of(physics, any_steps);
+    physics["statistics"]["start_time"] = found.statistics.start_time;
+    physics["statistics"]["block_length"] = found.statistics.block_length;
+    if (physics.contains("solid")) physics["solid"]["dt_plus"] = found.dt_plus;
   }
 
   /// Two points of the sweep are one case although they differ: what they differ in has no effect.

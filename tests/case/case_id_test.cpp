@@ -162,7 +162,7 @@ TEST(CaseId, DefaultsNeverChange) {
               "grid": {"ny_solid": 0, "stretching": 0}, "precision": "double",
               "solid": {"viscosity_ratio": 1, "formulation": "reference_map", "weno": "z", "interface": "height",
                         "threshold": 0.9, "extension": "column", "min_eigenvalue": 1e-4, "stiffness": "implicit",
-                        "mooney_share": 0},
+                        "mooney_share": 0, "dt_plus": 0},
               "wave": {"displacement": 1e-4, "mean_flow": "none"},
               "time_step": {"safety": 0.8, "viscosity": "explicit"},
               "initial": {"type": "perturbed_laminar", "amplitude": 0.1, "seed": 1, "precursor": "",

@@ -17,6 +17,7 @@ inline SolidSpec solid_of(double G) {
           .mooney_share = 0,
           .extension = Extension::kColumn,
           .stiffness = Stiffness::kImplicit,
+          .dt_plus = 0,
           .disc = std::nullopt};
 }
 
