@@ -51,12 +51,13 @@ class Campaigns(unittest.TestCase):
                 planned[path.parts[2]] = len({case["case_id"] for case in cases})
         self.assertEqual(planned, VALIDATION)
 
-    def test_softwall_accepts_the_example_in_the_readme(self):
-        example = re.search(r"^```json\n(.*?)^```", text_of("README.md"), re.MULTILINE | re.DOTALL).group(1)
-        with tempfile.TemporaryDirectory() as folder:
-            (Path(folder) / "campaign.json").write_text(example, encoding="utf-8")
-            cases = json.loads(run_softwall("plan", folder, "--json"))["cases"]
-        self.assertEqual(len(cases), 1 + 4 * 3 - 1)
+    def test_softwall_accepts_the_examples_in_the_documents(self):
+        for document, count in (("README.md", 1 + 4 * 3 - 1), ("runs/TUTORIAL.md", 1 + 3)):
+            example = re.search(r"^```json\n(.*?)^```", text_of(document), re.MULTILINE | re.DOTALL).group(1)
+            with self.subTest(document), tempfile.TemporaryDirectory() as folder:
+                (Path(folder) / "campaign.json").write_text(example, encoding="utf-8")
+                cases = json.loads(run_softwall("plan", folder, "--json"))["cases"]
+                self.assertEqual(len(cases), count)
 
     def test_they_sweep_over_the_papers_walls(self):
         for path in campaigns():
