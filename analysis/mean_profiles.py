@@ -31,7 +31,7 @@ class MeanFlow:
 
     @property
     def re_tau(self):
-        """From the momentum balance of both walls together: u_tau^2 = P."""
+        """The friction Reynolds number. The momentum balance of both walls together gives u_tau^2 = P."""
         return math.sqrt(self.gradient) * self.reynolds
 
 

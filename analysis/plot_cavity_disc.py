@@ -22,7 +22,7 @@ def path_of(case):
 
 
 def distances(points, path):
-    """Of each point from the polyline."""
+    """Distance of each point from the polyline."""
     start, along = path[:-1], np.diff(path, axis=0)
     square = np.maximum((along**2).sum(axis=1), 1e-300)
 

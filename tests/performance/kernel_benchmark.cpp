@@ -106,7 +106,7 @@ void pair_of_rows(benchmark::State& state) {
   pressure::RealRowPairTransform transform{int(n)};
   for (auto _ : state) {
     transform.forward(a.data(), b.data(), a_hat.data(), b_hat.data());
-    a_hat[0] = b_hat[0] = 1;  // lest the numbers grow from turn to turn
+    a_hat[0] = b_hat[0] = 1;  // keeps the numbers from growing turn by turn
     transform.backward(a_hat.data(), b_hat.data(), a.data(), b.data());
     benchmark::ClobberMemory();
   }
@@ -121,7 +121,7 @@ void tridiagonals(benchmark::State& state) {
   pressure::Tridiagonals solver(p.g, systems);
   std::vector<Real> values(systems * std::size_t(p.g.ny), Real(1));
   const std::vector<Real> kappa2(systems, Real(100));
-  const Real kappa2_x = 1, scale = 101;  // kappa^2 in all, lest the numbers vanish from turn to turn
+  const Real kappa2_x = 1, scale = 101;  // of all kappa^2; keeps numbers from vanishing
   for (auto _ : state) {
     solver.solve(values.data(), std::ptrdiff_t(systems), kappa2_x, kappa2, scale);
     benchmark::ClobberMemory();

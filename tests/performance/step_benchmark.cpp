@@ -38,7 +38,7 @@ using nlohmann::json;
 constexpr int kWarmUpSteps = 3, kSteps = 10;
 /// Traffic of a step, numbers per cell, if every sweep that cannot be part of another one reads and writes
 /// each field once. A write counts twice where nothing was read before: the cache fetches the line first.
-/// What ranks on one machine exchange they read where it is: that costs nothing more.
+/// Exchanges between ranks on one machine add nothing, since each reads the other's values where they are.
 double numbers_of_a_fused_step() {
   const double velocity = 3, pressure = 1, psi = 1, spectrum = 1;  // nx / 2 + 1 complex numbers a row
   const double predictor = velocity + pressure + 2 * 3 /* rates, in place */ + 2 * velocity;

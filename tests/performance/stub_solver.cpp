@@ -13,7 +13,8 @@
 namespace softwall {
 namespace {
 
-/// Without an id they are of no particular case, so that one file serves all.
+/// Writes statistics of this case; with an empty id they belong to no particular case, so that one file
+/// serves all.
 void write_statistics_of(const std::string& case_id, const std::filesystem::path& file) {
   auto statistics = analysis::samples::elastic_statistics({}, 10);
   statistics.case_id = case_id;

@@ -56,7 +56,7 @@ struct Layer {
   double G, viscosity_ratio, stretching;
 };
 
-/// From the exact state to where the scheme wants to stay.
+/// Starts from the exact state, waits until the scheme has come to rest, and returns how far it has moved.
 Errors settle(const SolidSpec& solid, const Layer& layer, int ny_fluid) {
   Physics p = support::elastic_channel({1, ny_fluid, ny_fluid / 4, 1});
   p.reynolds = kReynolds;

@@ -27,7 +27,7 @@ struct Layers {
   const char* name;
   double w, hs, hf, mu_f, mu_s, G;
 
-  /// In the units of the code, where the fluid is 2 deep and V stays 1.
+  /// The same layers in the units of the code, in which the fluid is 2 deep and V stays 1.
   Layers scaled() const {
     const double length = 2 / hf;
     return {name, w / length, hs * length, 2, mu_f * length, mu_s * length, G};
@@ -48,7 +48,7 @@ class OscillatingWall {
                                   : A_ * (std::sinh(ks_ * l_.hs) * std::cosh(z) + r_ * std::sinh(z));
     return std::imag(U * std::exp(s_ * t));
   }
-  /// In the solid.
+  /// Displacement of the solid at height y and time t.
   double displacement(double y, double t) const {
     return std::imag(A_ * std::sinh(ks_ * (l_.hf + l_.hs - y)) / s_ * std::exp(s_ * t));
   }

@@ -16,7 +16,7 @@ class Eta : public ::testing::Test {
 
   [[nodiscard]] double left(int cores) const { return remaining_seconds(campaign_, seen_, working_, cores); }
 
-  /// By the default speed, on the ranks of the case.
+  /// Seconds that the case takes at the default speed, on its own number of ranks.
   [[nodiscard]] double seconds_of(std::size_t i, double reached = 0) const {
     const Case& c = campaign_.cases[i].definition;
     return estimate(c, default_ns_per_cell_step(c.physics), reached).core_hours * 3600 /

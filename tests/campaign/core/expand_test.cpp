@@ -294,7 +294,7 @@ TEST(Expand, MistakesOfSomeCasesNameThem) {
   EXPECT_NE(message.find("/physics/solid/G: \"soft\""), std::string::npos) << message;
 }
 
-/// In less than the time that ctest allows; instrumented, fewer.
+/// The expansion must end within the time that ctest allows. With sanitizers there are fewer cases.
 TEST(Expand, ManyCasesTakeLittleTime) {
 #ifdef __SANITIZE_ADDRESS__
   constexpr std::size_t kSide = 20;

@@ -24,7 +24,7 @@ class SettledTest : public ::testing::Test {
     store.record_campaign(campaign);
     finish(one);
   }
-  /// As a runner would have left it.
+  /// Leaves the case as a runner would have left it at its end.
   void finish(const CampaignCase& which) {
     const RunFiles files = run_files(folder.path(), which);
     const double end_time = which.definition.run.end_time;

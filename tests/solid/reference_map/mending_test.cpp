@@ -74,7 +74,7 @@ TEST(Mending, TakesATornPointBackToItsNeighbours) {
   EXPECT_EQ(layer.torn(), before);
 }
 
-/// In the same time, however many steps it is divided into.
+/// In a given time a map is mended equally, however many steps the time is divided into.
 TEST(Mending, DoesNotDependOnTheStep) {
   const double dy = 2.0 / 16, start = 3 * dy;
   TornLayer few(start), many(start);

@@ -26,7 +26,7 @@ grid::VectorField raised(Domain& d, const Eta& eta) {
   return displacement;
 }
 
-/// Of a surface that rises and falls along x and z.
+/// Heights of a surface that rises and falls along x and z.
 class WavyHeights : public testing::Test {
  protected:
   Domain d{MPI_COMM_WORLD, {9, 16, 8}, {}, support::faces(16, 2, 1.0)};

@@ -139,8 +139,8 @@ TEST_P(LayerUnderAHeight, VolumeIsConstantAndBoundsHoldInAnyFlow) {
   }
 }
 
-/// However small it is, and wherever in its row the surface lies: it moves with v. u = U(y) cos(k x), v = the
-/// integral of k U sin(k x) from the surface to the top, one row of cells at a time.
+/// A wave moves with v however small it is and wherever in its row the surface lies. u = U(y) cos(k x), v =
+/// the integral of k U sin(k x) from the surface to the top, one row of cells at a time.
 TEST_P(LayerUnderAHeight, ASmallWaveMovesWithTheVelocityAtTheSurface) {
   constexpr double kSmall = 1e-6;
   const auto& g = layer.d.grid;

@@ -4,7 +4,7 @@
 
 #include "tests/support/stretching_views.hpp"
 
-// Where phi is below the threshold, or any place above it is, B comes from the row above.
+// B comes from the row above wherever phi is below the threshold, there or at any place above in the column.
 namespace softwall::solid {
 namespace {
 

@@ -47,7 +47,7 @@ double largest(const Domain& d, const std::function<double(int, int, int)>& valu
   return support::worst(d.decomposition.all(), most);
 }
 
-/// Largest change of B where its determinant is 1 but for what is interpolated between edges and centers.
+/// Largest change of a B whose determinant is 1 up to the error of interpolation between edges and centers.
 double change_of_what_is_right(int n) {
   Domain d(MPI_COMM_WORLD, {n, 6, n}, {}, support::faces(6, 2, 0));
   Material m(d.grid), before(d.grid);
