@@ -14,7 +14,8 @@ namespace softwall {
 
 enum class FlowType { kRigidChannel, kElasticWall, kCavity, kRotation, kInterfaceWave };
 
-/// Between walls at both ends of x and y, driven by one of them or not at all; otherwise a channel.
+/// A closed box has walls at both ends of x and y and is driven by one of them or not at all. All other flows
+/// are channels.
 [[nodiscard]] constexpr bool is_closed_box(FlowType flow) {
   return flow == FlowType::kCavity || flow == FlowType::kRotation;
 }
@@ -50,7 +51,7 @@ struct DiscSpec {
   double slot_width = 0.0, slot_depth = 0.0;
 };
 
-/// Without defaults: whoever makes one says all of it.
+/// It has no defaults, so that whoever makes one has to name every member.
 struct SolidSpec {
   double G;                ///< modulus of transverse elasticity / (rho U_b^2)
   double viscosity_ratio;  ///< mu_s / mu_f

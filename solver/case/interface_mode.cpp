@@ -91,7 +91,7 @@ WaveLayers wave_layers(double reynolds, double length_x, double layer_height, do
           .k = 2 * std::numbers::pi / length_x};
 }
 
-/// Inverse iteration: the null vector of a matrix that is singular but for the digits of s.
+/// Finds by inverse iteration the null vector of a matrix that would be singular if s had all its digits.
 InterfaceMode::InterfaceMode(const WaveLayers& layers, Complex s)
     : layers_(layers), s_(s), c_(some_vector()) {
   const auto conditions = Solutions(layers, s).conditions();

@@ -17,7 +17,7 @@ struct Flow {
   double flow = 0, volume = 0;
 };
 
-/// In the rows that hold no solid, whose flow is known.
+/// The flow through the rows that hold no solid, where it is known.
 Flow below_solid(double flow, const SolidInput& solid, const Grid& g) {
   return {flow, double(g.nx) * g.nz * (g.y_face[solid_row(solid, g)] - g.y_face[0])};
 }

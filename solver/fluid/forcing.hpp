@@ -19,7 +19,7 @@ struct PendingVelocity {
   std::span<const double> row_sums;  ///< of u* over this rank's cells of row j, U_b
 };
 
-/// What has to be added to it.
+/// Returns the velocity that must be added to the fluid everywhere for its bulk velocity to be as given.
 [[nodiscard]] double missing_flow(const PendingVelocity& velocity, const SolidInput& solid,
                                   double bulk_velocity, const Grid& grid,
                                   const parallel::Decomposition& decomposition);

@@ -38,7 +38,7 @@ Field::Field(const Grid& g, int ghost, Memory memory) : nx_(g.nx), ny_(g.ny), nz
   stride_y_ = by_plane ? row : spacing_of(row * planes);
   stride_z_ = by_plane ? row * rows : row;
   const std::ptrdiff_t cells = by_plane ? stride_z_ * planes : stride_y_ * rows;
-  // As far apart as a core's own cache is long, but never more than a small part of the field.
+  // Fields begin as far apart as a core's own cache is long, but never by more than a small part of a field.
   std::ptrdiff_t most = 2048;
   while (most > 1 && most * kLine * 16 > cells) most /= 2;
   const auto count = static_cast<std::size_t>(cells + (most + 1) * kLine);

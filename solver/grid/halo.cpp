@@ -132,8 +132,8 @@ void Halo::fill_side(Side side, std::initializer_list<Field*> fields, RowSpan ro
   for (Field* f : fields) repeat_column(side, *f, rows);
 }
 
-/// With the neighbours along the line: more than one rank, each with at least as many columns as ghost
-/// layers.
+/// Exchanges ghost cells with the neighbours along the line, which has more than one rank, each with at least
+/// as many columns as ghost layers.
 void Halo::exchange(Side side, std::initializer_list<Field*> fields, RowSpan rows) {
   std::size_t total = 0;
   for (const Field* f : fields) total += cells(shift_to(side, *f, rows).from);

@@ -27,7 +27,7 @@ struct Range {
 /// All parts of n items.
 [[nodiscard]] std::vector<Range> shares(int n, int parts);
 
-/// So many parts in x and in z, for px * pz ranks.
+/// Number of parts into which x and z are divided; px * pz ranks share them.
 struct Layout {
   int px = 1, pz = 1;
   friend bool operator==(const Layout&, const Layout&) = default;

@@ -11,8 +11,9 @@
 /// How every rank of a line hands values to the next rank or to the one before, all at once.
 namespace softwall::parallel {
 
-/// In shared memory a rank reads what its neighbour has written where that wrote it. It writes in two buffers
-/// in turns: when all have met for the second, nobody reads the first any more.
+/// With shared memory a rank reads its neighbour's values in the buffer in which the neighbour wrote them.
+/// Each rank has two buffers and writes to them in turn: once all ranks have met after writing to the second,
+/// nobody reads the first any more.
 template <class T>
 class LineShift {
  public:

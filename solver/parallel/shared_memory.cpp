@@ -19,7 +19,8 @@ namespace softwall::parallel {
 
 namespace {
 
-/// By what other processes find a rank's memory, and know that it is the right one.
+/// Says where other processes can open a rank's memory, and the token by which they know that it is the right
+/// one.
 struct Address {
   std::int64_t process = 0, descriptor = -1, bytes = 0, token = 0;
 };

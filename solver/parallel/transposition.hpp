@@ -27,7 +27,7 @@ struct RowBlock {
 template <class T>
 class Transposition {
  public:
-  /// So many z lie beside each other in memory: a line of the cache.
+  /// Number of z that lie side by side in memory: as many as fill a line of the cache.
   static constexpr int kPlanes = kLineBytes / sizeof(T);
 
   /// `modes` and `z_total` are shared among the ranks of `line`; every rank has all `rows` in y.

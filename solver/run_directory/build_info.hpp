@@ -20,7 +20,7 @@ struct BuildInfo {
 /// Now, as ISO 8601 in UTC with milliseconds: "2024-05-06T07:08:09.012Z". Whole seconds would not tell in
 /// which order the short cases of a campaign followed each other.
 [[nodiscard]] std::string utc_now();
-/// The same of another moment, before 1970 too.
+/// Any moment as such a text, also one before 1970.
 [[nodiscard]] std::string utc_text(std::chrono::milliseconds since_1970);
 
 }  // namespace softwall

@@ -112,8 +112,8 @@ void verify(const std::filesystem::path& file, const std::string& case_id, Check
     throw std::runtime_error("its contents do not match the digest in its header");
 }
 
-/// Step in the header; -1 for a damaged one, which thereby comes last. Of a file that cannot be read just now
-/// its name has to do.
+/// Returns the step in the header, or -1 for a damaged one, so that it comes last. Where the file cannot be
+/// read just now, the step in its name is taken.
 std::int64_t step_or_minus_one(const std::filesystem::path& file) {
   try {
     return read_checkpoint_header(file).step;

@@ -41,8 +41,9 @@ class ExcessViscosity {
   /// nothing is lacking, whatever the field holds there.
   [[nodiscard]] const grid::VectorField& force() const { return force_; }
   [[nodiscard]] int end_row() const { return end_row_; }
-  /// Where it is kept apart, and is then not in force(): what the differences between rows of each component
-  /// do to the component itself, d/dy of tau_xy without dv/dx, of tau_yy, and of tau_yz without dv/dz.
+  /// The part of the force that each component owes to its own differences between rows: d/dy of tau_xy
+  /// without dv/dx, of tau_yy, and of tau_yz without dv/dz. Where it is kept apart, force() does not hold it;
+  /// a null pointer where it is not.
   [[nodiscard]] const grid::VectorField* across() const { return across_ ? &*across_ : nullptr; }
 
   /// Sum over this rank's columns of the shear stress on xy edges, for each row 0 .. ny: the fluxes of which

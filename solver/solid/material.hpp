@@ -22,12 +22,14 @@ struct Material {
   SolidFormulation formulation = SolidFormulation::kTransportedB;
   grid::Field phi;
   grid::TensorField B;
-  /// Where the material at a point came from: it was at x - d. Components where those of the velocity are, h.
+  /// The displacement d, h: the material now at x was at x - d. Its components live where those of the
+  /// velocity do.
   grid::VectorField displacement;
   double surface_at_rest = 0;  ///< height that the solid's surface had before it was deformed, h
   /// phi is known to be 1 from this row on, in the ghost columns and planes next to this rank's, too.
   int all_solid_from = std::numeric_limits<int>::max();
-  /// So that the edges of the row and of those above lie in the solid altogether; ny where none is known.
+  /// Returns the first row whose lower edges, and all edges above, are known to lie in the solid; ny where
+  /// none are.
   [[nodiscard]] int solid_edges_from(int ny) const { return all_solid_from < ny ? all_solid_from + 1 : ny; }
 
   Material() = default;

@@ -69,7 +69,7 @@ struct RowStiffness::Edges {
     if constexpr (kViscous) c += viscous * (ratio - 1);
     return c * inv_dy_face[j];
   }
-  /// On an edge of which the share `fraction` is solid; a: of interface_share.hpp.
+  /// The same on an edge of which only the share `fraction` is solid, with a of interface_share.hpp.
   template <bool kViscous>
   [[nodiscard]] Real shared(int j, Real fraction, Real a, Real stretch) const {
     Real c = elastic * share_of_solid(fraction, a) * stretch;
@@ -79,7 +79,8 @@ struct RowStiffness::Edges {
     }
     return c * inv_dy_face[j];
   }
-  /// What the shear of the solid a row above does on it, over the height there.
+  /// The coefficient with which the solid's shear, taken from the row above, acts on such an edge, over the
+  /// height there.
   [[nodiscard]] Real shared_above(int j, Real fraction, Real a) const {
     return fraction < solid_edge ? viscous * of_solid_shear(fraction, a) * inv_dy_face[j + 1] : 0;
   }

@@ -32,9 +32,9 @@ void visit(const solid::SymmetricTensor& B, bool counts, Extremes& extremes) {
   extremes.min_eigenvalue = std::min(extremes.min_eigenvalue, solid::min_eigenvalue(B));
 }
 
-/// With a reference map: det F F^T is compared, for that of B is 1 by construction, and cells without any
-/// solid are left out, for what stands there was only extrapolated. Nearly every row is done with its first
-/// loop, which has no branches.
+/// Extremes of a solid that carries a reference map. They compare the determinant of F F^T, because that of B
+/// is 1 by construction, and leave out cells without any solid, because what stands there was only
+/// extrapolated. Nearly every row is done with its first loop, which has no branches.
 Extremes extremes_of_map(const Material& m, const grid::Grid& g, const grid::Box& box, double threshold) {
   const auto phi = m.phi.view();
   const auto strain = solid::reference_map::strain_of(m.displacement, g);

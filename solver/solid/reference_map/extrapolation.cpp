@@ -33,7 +33,7 @@ Extrapolation::Extrapolation(const Grid& grid)
       surface_(static_cast<std::size_t>(grid.nx)),
       slope_(static_cast<std::size_t>(grid.nx)) {}
 
-/// The first row at least so high above row j; the upper wall where there is none.
+/// Returns the first row that is at least `height` above row j, or the upper wall where no row is.
 int Extrapolation::row_above(const grid::RowArray& y, int j, double height) const {
   constexpr double kRoundOff = 1e-6;
   const double enough = height * (1 - kRoundOff);

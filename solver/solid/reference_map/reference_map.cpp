@@ -170,7 +170,7 @@ void ReferenceMap::fill_beyond_walls(grid::VectorField& d, int first_row) const 
   }
 }
 
-/// Beyond the walls as in the row at the wall.
+/// Copies phi of the row at a wall to the row beyond it.
 void ReferenceMap::continue_fraction(Material& m, int first_row) const {
   const Grid& g = grid_;
   const auto phi = m.phi.view();

@@ -10,7 +10,7 @@ namespace {
 /// the negative real axis, 4 (K_x dt / dx^2 + ...) < 2.51.
 constexpr double kMostInAStep = 0.15;
 
-/// In which the volume of the whole solid is restored, h/U_b.
+/// The time within which the volume of the whole solid is restored, h/U_b.
 constexpr double kRestoringTime = 0.1;
 /// The most of its relative change that is restored in a unit of time, U_b/h.
 constexpr double kFastestRestoring = 1e-2;

@@ -15,7 +15,8 @@ using grid::View;
 
 /// Less solid, or less fluid, than this is carried along as it is.
 constexpr double kTrace = 1e-8;
-/// A gradient is none when it is this small a part of what the cell has less of, solid or fluid.
+/// A cell counts as flat when its gradient is a smaller part than this of the lesser of solid and fluid in
+/// it.
 constexpr double kFlat = 1e-3;
 
 /// Differences of phi across cell (i, j, k): the mean over its corners, each the mean of four differences
@@ -63,7 +64,7 @@ void FractionTransport::advance(grid::Field& phi, const grid::VectorField& veloc
   update_.advance(phi, flux_, velocity, stage, dt, first_row);
 }
 
-/// What all cells carry unless there is a step in them.
+/// Finds the flux of phi that every cell carries unless it holds a step.
 void FractionTransport::carry_upwind(const grid::Field& phi, const grid::VectorField& velocity,
                                      int first_row) {
   const auto q = phi.view();

@@ -126,7 +126,8 @@ void NormalExtension::clear(const std::array<grid::Field*, kCount>& components, 
   }
 }
 
-/// In the rows reached so far. A flat closed box that is whole on one rank has nobody to exchange with.
+/// Exchanges ghost cells in the rows reached so far. A flat closed box that is whole on one rank has nobody
+/// to exchange with.
 void NormalExtension::exchange(std::initializer_list<grid::Field*> fields, const grid::Box& solid,
                                int cells) {
   const bool alone = decomposition_.all().size() == 1 && grid_.walls_in_x && grid_.nz_global == 1;

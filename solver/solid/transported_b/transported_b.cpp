@@ -161,7 +161,8 @@ void TransportedB::line(Material& m, int first_row) {
   halo_.fill({&m.B.xx, &m.B.yy, &m.B.zz}, span);
 }
 
-/// What follows from the surface, where it is a height.
+/// Derives phi, the share of the stress and the rows that are all solid from the surface, where it is a
+/// height.
 void TransportedB::follow_surface(Material& m, int first_row) {
   height_->follow(m.phi, first_row);
   share_.follow([this](int i, int k) { return height_->surface().flatness(i, k); });

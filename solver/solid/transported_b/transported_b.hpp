@@ -29,12 +29,14 @@ class TransportedB : public Formulation {
   void make_consistent(Material& material, int first_row, PlaneFollower& follower) override;
   void transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt,
                  int first_row, PlaneFollower* follower) override;
-  /// Where B is the solid's own, too. Around a body of any shape the local shear stands in for the solid's.
+  /// The phi from which on B of an edge is the solid's own. Around a body of any shape every edge counts as
+  /// one, and the local shear stands in for the solid's.
   [[nodiscard]] Real solid_from() const override { return normal_ ? Real(0) : Real(spec_.threshold); }
-  /// Under a height as with a reference map. The mean by volume where phi is smeared: there the fluid's alone
-  /// made a layer of 32 x 32 + 8 x 32 cells flutter (MTHINC, G = 1: v' 0.19 at the interface).
+  /// Where the interface is a height, stress is shared as with a reference map. Where phi is smeared, the
+  /// mean by volume is taken: with the fluid's stress alone a layer of 32 x 32 + 8 x 32 cells fluttered there
+  /// (MTHINC, G = 1: v' 0.19 at the interface).
   [[nodiscard]] const InterfaceShare& interface_share() const override { return share_; }
-  /// By the limiter (limiter.hpp), since the start of the program.
+  /// Counts the cells that the limiter (limiter.hpp) has changed since the program started.
   [[nodiscard]] std::int64_t limited_cells() const override { return limited_cells_; }
 
  private:
@@ -55,7 +57,7 @@ class TransportedB : public Formulation {
   const Grid& grid_;
   grid::Halo& halo_;
   Advection advection_;
-  // What moves phi, as the case asks for it; advection_ where it asks for neither.
+  // At most one of these exists and moves phi, as the case asks; without either, advection_ moves it.
   std::optional<FractionTransport> fraction_;
   std::optional<HeightTransport> height_;
   Rates now_, before_;

@@ -11,13 +11,14 @@
 /// pressure.
 namespace softwall::solid {
 
-/// By how much the normal components must be multiplied for B to have the determinant 1, after one step of
-/// Newton's iteration from 1; at most a tenth more or less. 1 where B is far from a strain: its limiter will
-/// lift it.
+/// The factor of the normal components that gives B the determinant 1, found by one step of Newton's
+/// iteration from 1 and kept between 0.9 and 1.1. It is 1 where B is far from the B of any strain, which the
+/// limiter will mend.
 [[nodiscard]] double factor_of_normals(const SymmetricTensor& B);
 
-/// What a substep of this length [h/U_b] restores of the determinant. It is lost over tens of h/U_b, so that
-/// two are soon enough, and what means at centers leave of it in a passing wave hardly counts.
+/// The share of the determinant's error that a substep of this length [h/U_b] takes away. The error grows
+/// over tens of h/U_b, so that it suffices to remove it within two; this slowly, what a passing wave changes
+/// in the means at centers hardly counts.
 [[nodiscard]] inline double restored_share(double duration) {
   constexpr double kTime = 2;  // h/U_b
   return duration < kTime ? duration / kTime : 1;
