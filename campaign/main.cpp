@@ -227,7 +227,7 @@ ExitStatus CommandLine::run(int count, char** words) {
   return actions_.at(app_.get_subcommands().front())(arguments_);
 }
 
-/// What is to be done about a store that cannot be used. Made again is only what is damaged: on a full disk,
+/// Says what to do about a store that cannot be used. Only a damaged one is to be made again: on a full disk,
 /// or while another program holds it, that would take away what is still good.
 std::string advice_for(const SqliteError& error) {
   switch (error.primary_code()) {

@@ -24,7 +24,8 @@ struct RunOptions {
 /// or nothing is left to run; started before a run, it waits for one.
 [[nodiscard]] ExitStatus watch_status(const std::filesystem::path& path);
 
-/// Which results: of the campaign at this path, as the store has them, or with averages that begin elsewhere.
+/// Chooses results: those of the campaign at this path, as the store has them or with averages that begin
+/// elsewhere.
 struct WantedResults {
   std::filesystem::path path;
   std::optional<double> from;  ///< start of the averages of all cases but precursors, h/U_b

@@ -40,8 +40,8 @@ void keep_small(const std::filesystem::path& log) {
   if (is_too_large(log)) std::filesystem::rename(log, log.string() + ".old", none);
 }
 
-/// The same while an attempt writes it: it appends, so that it goes on at the new end. What it writes between
-/// the two steps is lost, and where the disk is full the copy, too.
+/// Makes room in a log while an attempt writes it. The attempt appends, so that it goes on at the new end.
+/// What it writes between the two steps is lost, and so is the copy where the disk is full.
 void keep_small_while_written(const std::filesystem::path& log) {
   if (!is_too_large(log)) return;
   std::error_code none;

@@ -27,7 +27,7 @@ inline constexpr const char* kSessionVariable = "SOFTWALL_SESSION";
 class ProcessesAtWork {
  public:
   [[nodiscard]] static ProcessesAtWork look();
-  /// The same of a few sessions. The processes of all others are not read, only asked for their session.
+  /// Looks at the processes of a few sessions only. All others are asked for their session and not read.
   [[nodiscard]] static ProcessesAtWork look_in(const std::set<pid_t>& sessions);
 
   /// The live processes of this user that work in a run directory: mpirun and all ranks.
