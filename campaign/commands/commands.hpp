@@ -36,6 +36,18 @@ enum class OutputFormat { kText, kCsv, kJson, kLatex };
 [[nodiscard]] ExitStatus export_campaign(const WantedResults& wanted, OutputFormat format,
                                          const std::optional<std::filesystem::path>& file);
 
+struct FigureOptions {
+  std::optional<std::filesystem::path> output;  ///< folder; figures/ in the campaign's where none is given
+  std::string format = "png";                   ///< "png", "pdf" or "svg"
+  bool caption = true;                          ///< lines below each figure that say what it rests on
+};
+/// Every figure that the campaign's data allow. Python takes the place of this process.
+[[noreturn]] void draw_figures(const WantedResults& wanted, const FigureOptions& options);
+/// One HTML page of the campaign, finished or not; report.html in its folder where no file is named. Python
+/// takes the place of this process.
+[[noreturn]] void write_report(const WantedResults& wanted,
+                               const std::optional<std::filesystem::path>& output);
+
 /// Checkpoints, summaries and statistics of all cases, or of one (its label or the beginning of its id), read
 /// in full. Changes nothing.
 [[nodiscard]] ExitStatus verify_campaign(const std::filesystem::path& path,
