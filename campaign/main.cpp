@@ -31,15 +31,17 @@ constexpr double kLatestWindowStart = 1e9;    // as statistics.start_time of a c
 struct Arguments {
   std::filesystem::path path, file;
   std::string sql, chosen;
-  bool json = false, csv = false, latex = false, watch = false, remove = false, no_caption = false;
+  bool json = false, csv = false, latex = false, vertical = false, watch = false, remove = false,
+       no_caption = false;
   std::string picture = "png";
   std::optional<double> from;
   RunOptions run;
   [[nodiscard]] OutputFormat format() const {
-    return json    ? OutputFormat::kJson
-           : csv   ? OutputFormat::kCsv
-           : latex ? OutputFormat::kLatex
-                   : OutputFormat::kText;
+    return json       ? OutputFormat::kJson
+           : csv      ? OutputFormat::kCsv
+           : latex    ? OutputFormat::kLatex
+           : vertical ? OutputFormat::kVertical
+                      : OutputFormat::kText;
   }
   [[nodiscard]] WantedResults results() const { return {path, from}; }
   [[nodiscard]] std::optional<std::filesystem::path> output() const {
@@ -163,6 +165,8 @@ void CommandLine::add_results_commands() {
     CLI::Option_group* format = command->add_option_group("Format");
     format->add_flag("--csv", arguments_.csv, "Comma-separated values");
     format->add_flag("--json", arguments_.json, "Print one JSON value");
+    if (command == query)
+      format->add_flag("--vertical", arguments_.vertical, "One value a line, for rows of many columns");
     if (command == table) format->add_flag("--latex", arguments_.latex, "Two tabulars for each reading of G");
     format->require_option(command == exporting ? 1 : 0, 1);
   }

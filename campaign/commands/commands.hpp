@@ -29,7 +29,7 @@ struct WantedResults {
   std::filesystem::path path;
   std::optional<double> from;  ///< start of the averages of all cases but precursors, h/U_b
 };
-enum class OutputFormat { kText, kCsv, kJson, kLatex };
+enum class OutputFormat { kText, kVertical, kCsv, kJson, kLatex };
 [[nodiscard]] ExitStatus show_paper_tables(const WantedResults& wanted, OutputFormat format);
 [[nodiscard]] ExitStatus show_query(const WantedResults& wanted, const std::string& sql, OutputFormat format);
 /// To standard output where no file is named.
