@@ -58,9 +58,15 @@ double elastic_limit(const Spacing& d, const SolidSpec& solid) {
       solid.stiffness == Stiffness::kImplicit ? stiffness_along_rows(B, inv) : stiffness(B, inv));
 }
 
+/// Of a rigid channel Re_tau = 0.09 (2 Re)^0.88 (Pope 2000, section 7.1.5); waves on a soft layer add to it.
+double driving_gradient(const Physics& physics) {
+  const double u_tau = 0.09 * std::pow(2 * physics.reynolds, 0.88) / physics.reynolds;
+  return u_tau * u_tau * (1 + 0.15 / physics.solid->G);
+}
+
 }  // namespace
 
-double StepLimits::smallest() const { return std::min({advection, viscosity, elastic}); }
+double StepLimits::smallest() const { return std::min({advection, viscosity, elastic, accuracy}); }
 
 StepLimits step_limits(const Physics& physics) {
   const GridSpec& grid = physics.grid;
@@ -71,10 +77,13 @@ StepLimits step_limits(const Physics& physics) {
   limits.advection = safety * step_limits::convection(kU / d.x + kV / d.y + kW / d.z);
   const bool implicit = physics.time_step.viscosity == ViscousTerms::kImplicit;
   limits.viscosity = implicit ? kInfinite : safety * diffusion_limit(d, physics);
-  limits.elastic = kInfinite;
+  limits.elastic = limits.accuracy = kInfinite;
   if (physics.solid) {
     const double layer = smallest_difference(faces, static_cast<std::size_t>(grid.ny_fluid));
     limits.elastic = safety * elastic_limit({d.x, layer, d.z}, *physics.solid);
+    if (is_driven_channel(physics.flow))
+      limits.accuracy =
+          step_limits::accuracy(physics.solid->dt_plus, 1 / physics.reynolds, driving_gradient(physics));
   }
   return limits;
 }

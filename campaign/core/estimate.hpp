@@ -5,10 +5,10 @@
 /// What a case would cost, before it has run: for `softwall plan` and for the first ETA.
 namespace softwall::campaign {
 
-/// The step limits at typical turbulent velocities; one of them binds.
+/// The step limits at typical turbulent velocities, h/U_b, safety included; infinite where there is none. The
+/// smallest binds.
 struct StepLimits {
-  double advection = 0.0, viscosity = 0.0,
-         elastic = 0.0;  ///< h/U_b, safety included; infinite where there is none
+  double advection = 0.0, viscosity = 0.0, elastic = 0.0, accuracy = 0.0;
   [[nodiscard]] double smallest() const;
 };
 [[nodiscard]] StepLimits step_limits(const Physics& physics);

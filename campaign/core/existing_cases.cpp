@@ -12,17 +12,21 @@ namespace {
 
 using nlohmann::json;
 
-StatisticsSpec statistics_in(const json& physics) {
+Continuation found_in(const json& physics) {
   const json& statistics = physics.at("statistics");
-  return {statistics.at("start_time"), statistics.at("interval_steps"), statistics.at("block_length")};
+  Continuation found{
+      {statistics.at("start_time"), statistics.at("interval_steps"), statistics.at("block_length")}};
+  if (physics.contains("solid")) found.dt_plus = physics.at("solid").at("dt_plus");
+  return found;
 }
 
-/// What is left of an id when the averages are left out: steps between samples stay a part of it.
+/// What is left of an id when these are left out: steps between samples stay a part of it.
 std::string flow_id(json physics) {
   if (physics.contains("statistics")) {
     physics["statistics"].erase("start_time");
     physics["statistics"].erase("block_length");
   }
+  if (physics.contains("solid")) physics["solid"].erase("dt_plus");
   return case_id(physics);
 }
 
@@ -34,21 +38,27 @@ bool divides(double length, double wanted) {
 
 }  // namespace
 
-void ExistingCases::add(const json& physics) { by_flow_.emplace(flow_id(physics), statistics_in(physics)); }
+void ExistingCases::add(const json& physics) { by_flow_.emplace(flow_id(physics), found_in(physics)); }
 
-StatisticsSpec ExistingCases::statistics_for(const json& physics) const {
-  const StatisticsSpec wanted = statistics_in(physics);
-  StatisticsSpec best{0.0, wanted.interval_steps, wanted.block_length};
+Continuation ExistingCases::continuation_of(const json& physics, bool any_steps) const {
+  const Continuation wanted = found_in(physics);
+  Continuation best = wanted;
+  best.statistics.start_time = 0;
   if (by_flow_.empty()) return best;
-  const auto rank = [&](const StatisticsSpec& one) {
-    return std::tuple(one.start_time > wanted.start_time, one.block_length != wanted.block_length,
-                      one.start_time);
+  const auto serves = [&](const Continuation& one) {
+    return divides(one.statistics.block_length, wanted.statistics.block_length) &&
+           (any_steps || one.dt_plus == wanted.dt_plus);
+  };
+  const auto rank = [&](const Continuation& one) {
+    const StatisticsSpec& sampled = one.statistics;
+    return std::tuple(one.dt_plus != wanted.dt_plus, sampled.start_time > wanted.statistics.start_time,
+                      sampled.block_length != wanted.statistics.block_length, sampled.start_time);
   };
   bool found = false;
   const auto [first, last] = by_flow_.equal_range(flow_id(physics));
   for (auto item = first; item != last; ++item) {
-    const StatisticsSpec& one = item->second;
-    if (!divides(one.block_length, wanted.block_length) || (found && rank(best) <= rank(one))) continue;
+    const Continuation& one = item->second;
+    if (!serves(one) || (found && rank(best) <= rank(one))) continue;
     best = one;
     found = true;
   }

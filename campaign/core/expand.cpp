@@ -48,6 +48,14 @@ void put(const Point& point, json& physics) {
   for (const auto& [pointer, value] : point) physics[Pointer(pointer)] = value;
 }
 
+constexpr const char* kDtPlus = "/solid/dt_plus";
+constexpr const char* kFixedDt = "/time_step/fixed_dt";
+
+/// Gives an elastic wall the campaign's default of solid.dt_plus, which is not that of a case.
+void limit_steps(json& physics) {
+  physics[Pointer(kDtPlus)] = campaign_schema().part(Pointer("/physics/solid/dt_plus"))->at("default");
+}
+
 std::vector<Pointer> compiled(const std::vector<std::string>& pointers) {
   return {pointers.begin(), pointers.end()};
 }
@@ -131,6 +139,7 @@ class Expansion {
     std::function<json()> written;  ///< the document without defaults, which messages speak of
     std::string precursor_id;
     const Point& point;
+    bool any_steps = false;  ///< the campaign does not say how long its steps may be
   };
 
   static json physics_with_flow(json physics) {
@@ -144,6 +153,8 @@ class Expansion {
   void add(const Point& point) {
     json filled = filled_;
     put(point, filled.at("physics"));
+    const bool any_steps = leaves_steps_open(point, filled.at("physics"));
+    if (any_steps) limit_steps(filled.at("physics"));
     case_schema().fill_defaults(filled);
     if (exclusions_.excludes(filled.at("physics"))) return;
     std::vector<json> values = values_of(filled.at("physics"));
@@ -156,6 +167,7 @@ class Expansion {
     const auto written = [&] {
       json document = common_;
       put(point, document.at("physics"));
+      if (any_steps) limit_steps(document.at("physics"));
       if (!precursor_id.empty()) start_from(precursor_id, document);
       return document;
     };
@@ -163,8 +175,18 @@ class Expansion {
               .values = std::move(values),
               .written = written,
               .precursor_id = precursor_id,
-              .point = point},
+              .point = point,
+              .any_steps = any_steps},
              cases_);
+  }
+
+  /// Whether the file says nothing about the steps of this elastic wall.
+  [[nodiscard]] bool leaves_steps_open(const Point& point, const json& physics) const {
+    const auto says = [&](const char* pointer) {
+      return point.contains(pointer) || common_.at("physics").contains(Pointer(pointer));
+    };
+    return physics.at("flow") == "elastic_wall" && physics.contains("solid") && !says(kDtPlus) &&
+           !says(kFixedDt);
   }
 
   void start_from(const std::string& precursor_id, json& document) const {
@@ -216,7 +238,7 @@ class Expansion {
 
   /// Checks a case and appends it unless it is there already. Returns its id.
   std::string add_case(Candidate candidate, Made& to) {
-    auto& [document, values, written, precursor_id, point] = candidate;
+    auto& [document, values, written, precursor_id, point, any_steps] = candidate;
     const bool is_precursor = &to == &precursors_;
     const auto refuse = [&, &swept = values](std::vector<Mistake> found) {
       mistakes_.add(swept_label(swept), is_precursor ? "/precursor: " : "", std::move(found));
@@ -225,7 +247,7 @@ class Expansion {
     if (auto found = mistakes_of(candidate, to.sound); !found.empty()) return refuse(std::move(found));
     CampaignCase made;
     made.window_start = document.at("physics").at("statistics").at("start_time");
-    sample_for_any_window(document.at("physics"));
+    continue_existing(document.at("physics"), any_steps);
     if (auto never = never_sampled(document, made.window_start)) return refuse({*never});
     made.definition = valid_case(document);
     made.is_precursor = is_precursor;
@@ -242,11 +264,13 @@ class Expansion {
     return id;
   }
 
-  /// What a case samples does not depend on the averaging window that is wanted of it now.
-  void sample_for_any_window(json& physics) const {
-    const StatisticsSpec sampled = existing_.statistics_for(physics);
-    physics["statistics"]["start_time"] = sampled.start_time;
-    physics["statistics"]["block_length"] = sampled.block_length;
+  /// What a case samples does not depend on the averaging window that is wanted of it now, and the steps of
+  /// one that an earlier version began stay what they were.
+  void continue_existing(json& physics, bool any_steps) const {
+    const Continuation found = existing_.continuation_of(physics, any_steps);
+    physics["statistics"]["start_time"] = found.statistics.start_time;
+    physics["statistics"]["block_length"] = found.statistics.block_length;
+    if (physics.contains("solid")) physics["solid"]["dt_plus"] = found.dt_plus;
   }
 
   /// Two points of the sweep are one case although they differ: what they differ in has no effect.

@@ -61,6 +61,7 @@ struct SolidSpec {
   double min_eigenvalue;  ///< B is kept >= this in every cell
   Extension extension;
   Stiffness stiffness;           ///< how the stress across thin rows enters the time step
+  double dt_plus;                ///< largest step of a driven channel, nu / u_tau^2; 0: what is stable
   std::optional<DiscSpec> disc;  ///< initial shape in a closed box; absent: the layer on y > 2
 };
 

@@ -203,6 +203,12 @@ void check_closed_box(const SoundMembers& members, const json& filled, std::vect
     mistakes.push_back({"/physics/initial/type", "precursor", "a closed box starts by itself"});
 }
 
+void check_no_accuracy(const SoundMembers& members, std::vector<Mistake>& mistakes) {
+  if (members.get<double>("/physics/solid/dt_plus").value_or(0) != 0)
+    mistakes.push_back(
+        {"/physics/solid/dt_plus", "given", "limits the steps of flow \"elastic_wall\" only: leave it out"});
+}
+
 void check_initial(const SoundMembers& members, std::vector<Mistake>& mistakes) {
   const auto type = members.get<std::string>("/physics/initial/type");
   const auto precursor = members.get<std::string>("/physics/initial/precursor");
@@ -223,6 +229,7 @@ std::vector<Mistake> case_cross_checks(const json& filled, const std::vector<Mis
   if (flow && flow != "interface_wave") check_no_wave(filled, mistakes);
   if (flow == "rigid_channel") check_rigid(members, filled, mistakes);
   if (flow == "cavity" || flow == "rotation") check_closed_box(members, filled, mistakes);
+  if (flow && flow != "elastic_wall") check_no_accuracy(members, mistakes);
   check_initial(members, mistakes);
   return mistakes;
 }

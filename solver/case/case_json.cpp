@@ -76,6 +76,7 @@ SolidSpec solid_from(const json& solid) {
                  .min_eigenvalue = solid.at("min_eigenvalue"),
                  .extension = named(solid.at("extension"), kExtensionNames),
                  .stiffness = named(solid.at("stiffness"), kStiffnessNames),
+                 .dt_plus = solid.at("dt_plus"),
                  .disc = std::nullopt};
   if (solid.contains("disc")) spec.disc = disc_from(solid.at("disc"));
   return spec;
@@ -158,7 +159,8 @@ json to_json(const SolidSpec& solid) {
                  {"threshold", solid.threshold},
                  {"min_eigenvalue", solid.min_eigenvalue},
                  {"extension", name_of(solid.extension, kExtensionNames)},
-                 {"stiffness", name_of(solid.stiffness, kStiffnessNames)}};
+                 {"stiffness", name_of(solid.stiffness, kStiffnessNames)},
+                 {"dt_plus", solid.dt_plus}};
   if (solid.disc) result["disc"] = to_json(*solid.disc);
   return result;
 }

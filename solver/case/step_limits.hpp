@@ -25,6 +25,13 @@ inline constexpr double kImaginaryAxis = std::numbers::sqrt3, kRealAxis = 2.51;
   return kRealAxis / (4 * viscosity * rate);
 }
 
+/// What is accurate, where stability would allow more: dt_plus viscous times nu / u_tau^2, u_tau^2 being
+/// driving_gradient times h. Infinite for dt_plus = 0, and where nothing drives the flow.
+[[nodiscard]] inline double accuracy(double dt_plus, double viscosity, double driving_gradient) {
+  return dt_plus > 0 && driving_gradient > 0 ? dt_plus * viscosity / driving_gradient
+                                             : std::numeric_limits<double>::infinity();
+}
+
 /// B of a cell, or what is expected of it; positive definite.
 template <class Real>
 struct Deformation {

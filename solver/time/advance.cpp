@@ -118,6 +118,9 @@ TimeStep choose_time_step(const State& s, const Setup& setup, double convection_
     if (setup.solid) restrict_to(setup.solid->elastic_limit(s.material), "elastic");
   }
   step.dt *= spec.safety;
+  const auto& solid = setup.physics.solid;
+  if (solid && is_driven_channel(setup.physics.flow))
+    restrict_to(step_limits::accuracy(solid->dt_plus, setup.viscosity, s.driving_gradient), "accuracy");
   return step;
 }
 

@@ -16,7 +16,7 @@ void advance(State& state, Setup& setup, double dt);
 /// The next time step and what limits it. A pure function of case and state.
 struct TimeStep {
   double dt;
-  const char* limit;  ///< "fixed", "convection", "viscosity" or "elastic"
+  const char* limit;  ///< "fixed", "convection", "viscosity", "elastic" or "accuracy"
 };
 /// convection_rate: of the state's velocity (fluid/stability.hpp).
 [[nodiscard]] TimeStep choose_time_step(const State& state, const Setup& setup, double convection_rate);

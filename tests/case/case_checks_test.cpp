@@ -48,6 +48,13 @@ TEST(CaseChecks, AHeightOverEachColumnNeedsALayer) {
   expect_complaint(document, "/physics/solid/interface: height; must be \"mthinc\" or \"weno\" with a disc");
 }
 
+TEST(CaseChecks, StepsOfAnElasticWallAloneAreHeldToViscousTimes) {
+  EXPECT_EQ(complaint_about(elastic_with("/physics/solid/dt_plus", 0.2)), "");
+  json document = tests::box_document();
+  document["physics"]["solid"]["dt_plus"] = 0.2;
+  expect_complaint(document, "/physics/solid/dt_plus: given; limits the steps of flow \"elastic_wall\" only");
+}
+
 TEST(CaseChecks, ARigidChannelHasNone) {
   json document = tests::rigid_document();
   document["physics"]["solid"] = {{"G", 1}};

@@ -37,7 +37,7 @@ inline nlohmann::json full_document() {
       "grid": {"nx": 33, "ny_fluid": 32, "ny_solid": 20, "nz": 17, "stretching": 1.25},
       "precision": "single",
       "solid": {"G": 0.3, "viscosity_ratio": 0.1, "formulation": "reference_map", "weno": "js", "threshold": 0.7,
-                "min_eigenvalue": 0.001, "stiffness": "explicit"},
+                "min_eigenvalue": 0.001, "stiffness": "explicit", "dt_plus": 0.2},
       "time_step": {"fixed_dt": 0.001, "safety": 0.5},
       "initial": {"type": "precursor", "amplitude": 0.2, "seed": 7, "precursor": "0123456789abcdef",
                   "precursor_time": 12.5},

@@ -16,6 +16,7 @@ inline SolidSpec solid_of(double G) {
           .min_eigenvalue = 1e-4,
           .extension = Extension::kColumn,
           .stiffness = Stiffness::kImplicit,
+          .dt_plus = 0,
           .disc = std::nullopt};
 }
 

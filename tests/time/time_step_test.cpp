@@ -56,6 +56,21 @@ TEST(TimeStep, IsTheStabilityLimitTimesSafety) {
   EXPECT_DOUBLE_EQ(choose_time_step(s, setup).dt, 0.8 * smallest);
 }
 
+TEST(TimeStep, OfAnElasticChannelIsNoLongerThanTheViscousTimeAsked) {
+  Physics p = support::elastic_channel({12, 16, 4, 8});
+  p.reynolds = 100;
+  p.solid->G = 1e-3;
+  p.solid->dt_plus = 0.25;
+  time::Setup setup(p, MPI_COMM_WORLD);
+  State s = support::smooth_state(setup);
+  const double stable = choose_time_step(s, setup).dt;  // nothing drives it yet
+  s.driving_gradient = 0.25 / (100 * stable / 2);
+  EXPECT_DOUBLE_EQ(choose_time_step(s, setup).dt, stable / 2);
+  EXPECT_STREQ(choose_time_step(s, setup).limit, "accuracy");
+  s.driving_gradient /= 4;
+  EXPECT_EQ(choose_time_step(s, setup).dt, stable);
+}
+
 TEST(TimeStep, OfAnUndeformedLayerIsThatOfItsStiffestShearWave) {
   // omega^2 = 4 G (1/dx^2 + 1/dy^2 + 1/dz^2) for B = I, limit 0.86 / omega; implicit between rows: 1.7, and
   // the waves along x and z alone.

@@ -114,7 +114,7 @@ class Energy : public testing::TestWithParam<support::NamedSolid> {};
 
 /// A vortex in a box full of solid winds it up, is turned back by it and decays.
 Balance vortex(const SolidSpec& solid, int n) {
-  Physics p = support::solid_box({n, n, 0, 3});
+  Physics p = support::solid_box({n, n, 0, 1});
   p.length_x = 2;
   p.length_z = 2;
   p.reynolds = 50;
@@ -147,7 +147,7 @@ TEST_P(Energy, OfADecayingElasticVortexIsAccountedFor) {
 
 /// A layer over fluid that the lower wall drags along, with the flow rate held as well.
 Balance driven_layer(const SolidSpec& solid, double viscosity_ratio, int ny_fluid) {
-  Physics p = support::elastic_channel({3, ny_fluid, ny_fluid / 4, 3});
+  Physics p = support::elastic_channel({1, ny_fluid, ny_fluid / 4, 1});
   p.reynolds = 10;
   p.solid = support::made_of(solid, 1, viscosity_ratio);
   Setup setup(p, MPI_COMM_WORLD);

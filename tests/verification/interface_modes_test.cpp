@@ -34,7 +34,7 @@ constexpr Row kViscous0{"nu 0.01, mode 0", 0.01, 0.01, 1, {-0.4397377964, 5.7679
 constexpr double kScale = 2;
 
 Physics physics_of(const Row& row, const SolidSpec& solid, int nx) {
-  Physics p = support::elastic_channel({nx, nx, nx / 2, 3});
+  Physics p = support::elastic_channel({nx, nx, nx / 2, 1});
   p.flow = FlowType::kInterfaceWave;
   p.length_x = kScale;
   p.length_z = 10 * kScale;  // so that dz limits nothing

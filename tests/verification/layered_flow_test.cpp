@@ -58,7 +58,7 @@ struct Layer {
 
 /// From the exact state to where the scheme wants to stay.
 Errors settle(const SolidSpec& solid, const Layer& layer, int ny_fluid) {
-  Physics p = support::elastic_channel({3, ny_fluid, ny_fluid / 4, 3 * support::world_size()});
+  Physics p = support::elastic_channel({1, ny_fluid, ny_fluid / 4, 1});
   p.reynolds = kReynolds;
   p.grid.stretching = layer.stretching;
   if (layer.stretching > 0) p.grid.ny_solid = ny_fluid / 2;

@@ -70,7 +70,7 @@ struct Errors {
 Errors run(const Layers& given, const SolidSpec& solid, int cells) {
   const Layers l = given.scaled();
   const int ny_solid = static_cast<int>(std::lround(cells * l.hs / (l.hs + l.hf)));
-  Physics p = support::elastic_channel({3, cells - ny_solid, ny_solid, 3});
+  Physics p = support::elastic_channel({1, cells - ny_solid, ny_solid, 1});
   p.reynolds = 1 / l.mu_f;
   p.layer_height = l.hs;
   p.solid = support::made_of(solid, l.G, std::max(l.mu_s / l.mu_f, 1e-9));

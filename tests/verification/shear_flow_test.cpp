@@ -19,10 +19,8 @@ constexpr double kPi = std::numbers::pi;
 /// At Re = 1 and constant flow rate the slowest transient falls as exp(-20.2 t): below round-off by then.
 constexpr double kLong = 1.8;
 
-int columns() { return 3 * support::world_size(); }
-
 Physics channel(int ny, double reynolds, double stretching) {
-  Physics p = support::rigid_channel({3, ny, 0, columns()});
+  Physics p = support::rigid_channel({1, ny, 0, 1});
   p.reynolds = reynolds;
   p.grid.stretching = stretching;
   return p;

@@ -37,7 +37,7 @@ struct Errors {
 /// The wave sin(pi y) after T = 1.3, in u or, turned by 90 degrees, in w; compared with `wave`.
 Errors run_wave(SolidFormulation formulation, int ny, double stretching, double viscosity_ratio, int steps,
                 bool turned, const Wave& wave) {
-  Physics p = support::solid_box({turned ? 3 * support::world_size() : 3, ny, 0, 3 * support::world_size()});
+  Physics p = support::solid_box({1, ny, 0, 1});
   p.reynolds = kReynolds;
   p.grid.stretching = stretching;
   p.solid->viscosity_ratio = viscosity_ratio;
@@ -111,9 +111,9 @@ TEST_P(ShearWave, IsSecondOrderInTimeAtLeast) {
 /// An antiplane wave w = v(t) sin(kx x) sin(ky y), exact at any amplitude, too; after T = 1.3 against that of
 /// the discrete operator, whose eigenvalue is known. kx = 2 pi m / 6, ky = pi n / 2.
 double error_of_antiplane_wave(SolidFormulation formulation, int m, int n, int steps) {
-  Physics p = support::solid_box({12, 24, 0, 3 * support::world_size()});
+  Physics p = support::solid_box({12, 24, 0, 1});
   p.length_x = 6;
-  p.length_z = 3 * support::world_size();
+  p.length_z = 3;
   p.reynolds = kReynolds;
   p.solid->formulation = formulation;
   time::Setup setup(p, MPI_COMM_WORLD);

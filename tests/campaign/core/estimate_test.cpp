@@ -26,7 +26,9 @@ TEST(Estimate, LimitsFollowTheirFormulas) {
   EXPECT_NEAR(limits.elastic, 0.7 * 1.7 / (2 * std::sqrt(stretch * along)), 1e-12);
   EXPECT_NEAR(limits.viscosity, 0.7 * 2.51 * 2800 / (4 * (1 / (dx * dx) + 1 / (dy * dy) + 1 / (dz * dz))),
               1e-9);
-  EXPECT_EQ(limits.smallest(), std::min(limits.advection, limits.elastic));
+  const double u_tau = 0.09 * std::pow(5600, 0.88) / 2800;  // Re_tau = 179
+  EXPECT_NEAR(limits.accuracy, 0.4 / (2800 * u_tau * u_tau * 1.15), 1e-12);
+  EXPECT_EQ(limits.smallest(), std::min({limits.advection, limits.elastic, limits.accuracy}));
   Case paper = c;
   paper.physics.solid->stiffness = Stiffness::kExplicit;
   EXPECT_NEAR(step_limits(paper.physics).elastic,
@@ -51,6 +53,7 @@ TEST(Estimate, StifferOrMoreViscousLayersCostMore) {
 TEST(Estimate, RigidChannelsHaveNoElasticLimit) {
   const Case rigid = tests::campaign_of(tests::elastic_campaign()).cases.front().definition;
   EXPECT_TRUE(std::isinf(step_limits(rigid.physics).elastic));
+  EXPECT_TRUE(std::isinf(step_limits(rigid.physics).accuracy));
   EXPECT_TRUE(std::isfinite(step_limits(rigid.physics).smallest()));
 }
 

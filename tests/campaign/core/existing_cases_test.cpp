@@ -33,13 +33,15 @@ json with_window(double start, double block_length = 1) {
   return document;
 }
 
-/// The physics of the cases as versions up to 0.1.0 wrote them: their statistics began with the averages.
+/// The physics of the cases as versions up to 0.1.0 wrote them: their statistics began with the averages, and
+/// stability alone limited their steps.
 std::vector<json> as_earlier_versions_had_it(const Campaign& campaign) {
   std::map<std::string, std::string> earlier_id;
   std::vector<json> all;
   for (const CampaignCase& one : campaign.cases) {
     json physics = physics_of(one);
     physics["statistics"]["start_time"] = one.window_start;
+    if (physics.contains("solid")) physics["solid"]["dt_plus"] = 0;
     if (!one.precursor_id.empty()) physics["initial"]["precursor"] = earlier_id.at(one.precursor_id);
     earlier_id[one.definition.id] = case_id(physics);
     all.push_back(std::move(physics));
@@ -107,10 +109,44 @@ TEST(ExistingCases, TheOneThatCoversTheWindowIsPreferred) {
   };
   json asking = wanted;
   asking["statistics"]["start_time"] = 20;
-  EXPECT_EQ(existing({starting_at(30), starting_at(15)}).statistics_for(asking).start_time, 15.0);
-  EXPECT_EQ(existing({starting_at(15), starting_at(0)}).statistics_for(asking).start_time, 0.0);
-  EXPECT_EQ(existing({starting_at(40), starting_at(30)}).statistics_for(asking).start_time, 30.0);
-  EXPECT_EQ(existing({}).statistics_for(asking).start_time, 0.0);
+  EXPECT_EQ(existing({starting_at(30), starting_at(15)}).continuation_of(asking, false).statistics.start_time,
+            15.0);
+  EXPECT_EQ(existing({starting_at(15), starting_at(0)}).continuation_of(asking, false).statistics.start_time,
+            0.0);
+  EXPECT_EQ(existing({starting_at(40), starting_at(30)}).continuation_of(asking, false).statistics.start_time,
+            30.0);
+  EXPECT_EQ(existing({}).continuation_of(asking, false).statistics.start_time, 0.0);
+}
+
+TEST(ExistingCases, AnEarlierCaseKeepsItsSteps) {
+  const auto earlier = as_earlier_versions_had_it(campaign_of(with_window(10)));
+  json wider = with_window(10);
+  wider["sweep"]["grid"]["G"] = {1, 2, 3};
+  const auto dt_plus = [](const CampaignCase& one) { return one.definition.physics.solid->dt_plus; };
+  const Campaign now = parse_campaign(wider.dump(), "", existing(earlier));
+  EXPECT_EQ(case_id(earlier[1]), now.cases[1].definition.id);
+  EXPECT_EQ(dt_plus(now.cases[1]), 0.0);
+  EXPECT_EQ(dt_plus(now.cases.back()), 0.4) << "a new case has the campaign's default";
+  EXPECT_EQ(dt_plus(campaign_of(wider).cases[1]), 0.4);
+  json asked = wider;
+  asked["physics"]["solid"]["dt_plus"] = 0.4;
+  EXPECT_EQ(dt_plus(parse_campaign(asked.dump(), "", existing(earlier)).cases[1]), 0.4);
+}
+
+TEST(ExistingCases, OneWithTheStepsWantedIsPreferred) {
+  const json wanted = physics_of(campaign_of(with_window(20)).cases.back());
+  json other = wanted;
+  other["solid"]["dt_plus"] = 0;
+  EXPECT_EQ(existing({other, wanted}).continuation_of(wanted, true).dt_plus, 0.4);
+  EXPECT_EQ(existing({wanted, other}).continuation_of(wanted, true).dt_plus, 0.4);
+  EXPECT_EQ(existing({other}).continuation_of(wanted, true).dt_plus, 0.0);
+  EXPECT_EQ(existing({other}).continuation_of(wanted, false).dt_plus, 0.4);
+}
+
+TEST(ExistingCases, StepsOfFixedLengthHaveNoLimit) {
+  json fixed = with_window(10);
+  fixed["physics"]["time_step"]["fixed_dt"] = 0.01;
+  EXPECT_EQ(campaign_of(fixed).cases.back().definition.physics.solid->dt_plus, 0.0);
 }
 
 /// Ids that the campaigns in runs/ had before the window left them, recorded then. A campaign file that is

@@ -106,6 +106,11 @@ TEST(Spec, SchemaCoversTheCase) {
     for (const auto& [key, child] : node.at("properties").items()) {
       const json* ours = campaign_schema().part(here / key);
       ASSERT_NE(ours, nullptr) << group << "/" << key;
+      if (key == "dt_plus") {  // a campaign has a default of its own
+        for (const char* bound : {"type", "unit", "minimum", "maximum"})
+          EXPECT_EQ(ours->at(bound), child.at(bound)) << bound;
+        continue;
+      }
       EXPECT_EQ(*ours, child) << group << "/" << key;
     }
   }
