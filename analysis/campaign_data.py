@@ -6,6 +6,7 @@ Everything is in units of the half height h, the bulk velocity U_b and density 1
 
 import argparse
 import csv
+import functools
 import json
 import math
 import pathlib
@@ -22,6 +23,8 @@ import numpy as np
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend has to be chosen first)
 
+matplotlib.rcParams["pdf.fonttype"] = 42  # fonts go into the file whole, so that text in it stays text
+
 # The paper's colours of its four moduli, as its tables print them, and those of the next powers of two. A colour goes by
 # the value, so that a case keeps its own whatever else is in the campaign.
 COLOUR_OF_G = {8: "navy", 4: "blue", 2: "magenta", 1: "red", 0.5: "green", 0.25: "darkorange", 0.125: "saddlebrown"}
@@ -30,6 +33,12 @@ MARKERS = "osv^D<>PX"  # for what a sweep varies besides G and the viscosity rat
 PAPER_GRID = "1296x432+108x648"
 REFERENCE = pathlib.Path(__file__).parent / "data"
 LABEL_G = r"$G/(\rho U_b^2)$"
+
+
+@functools.cache
+def tell(message):
+    """To standard error, once however many figures one process draws."""
+    print(message, file=sys.stderr)
 
 
 def _text(attribute):
@@ -147,7 +156,7 @@ def read_series_campaign(folder, flow, kind=SeriesCase):
         try:
             cases.append(kind(file.parent))
         except (OSError, KeyError, ValueError) as error:
-            print(f"left out {file.parent}: {error}", file=sys.stderr)
+            tell(f"left out {file.parent}: {error}")
     return sorted((case for case in cases if case.physics["flow"] == flow), key=lambda case: case.cells)
 
 
@@ -179,7 +188,7 @@ def case_directories(campaign):
         left_over = {pathlib.Path(directory).name for (directory,) in rows}
     left_out = [path.name for path in directories if path.name in left_over and (path / "statistics.h5").exists()]
     if left_out:
-        print(f"left out, no longer part of the campaign: {', '.join(left_out)}", file=sys.stderr)
+        tell(f"left out, no longer part of the campaign: {', '.join(left_out)}")
     return [path for path in directories if path.name not in left_over]
 
 
@@ -250,7 +259,7 @@ def read_campaign(options):
         try:
             cases.append(Case(directory, results, options.start))
         except (OSError, KeyError, ValueError) as error:
-            print(f"left out {directory}: {error}", file=sys.stderr)
+            tell(f"left out {directory}: {error}")
     if not cases:
         sys.exit(f"no case in {campaign / 'cases'} has statistics yet")
     cases.sort(key=lambda case: (case.elastic, case.ratio != 1, case.ratio, -case.G))
@@ -280,6 +289,7 @@ def arguments(description, add_options=None):
     parser.add_argument("--from", dest="start", type=float, metavar="T",
                         help="begin the averages at this time, h/U_b, but those of precursors; default: as in results.db, "
                              "whose numbers and fits keep their own window")
+    parser.add_argument("--no-caption", action="store_true", help="leave out the lines below the figure")
     if add_options:
         add_options(parser)
     return parser.parse_args()
@@ -311,7 +321,8 @@ def save(figure, options, script, text):
     """Write the figure with its caption below, by default next to the campaign's store."""
     name = pathlib.Path(script).stem.removeprefix("plot_") + ".png"
     output = pathlib.Path(options.output) if options.output else pathlib.Path(options.campaign) / name
-    figure.text(0.5, -0.01, text, ha="center", va="top", fontsize=8, wrap=True)
+    if not options.no_caption:
+        figure.text(0.5, -0.01, text, ha="center", va="top", fontsize=8, wrap=True)
     figure.savefig(output, dpi=150, bbox_inches="tight")
     plt.close(figure)
     print(output)

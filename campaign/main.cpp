@@ -31,16 +31,22 @@ constexpr double kLatestWindowStart = 1e9;    // as statistics.start_time of a c
 struct Arguments {
   std::filesystem::path path, file;
   std::string sql, chosen;
-  bool json = false, csv = false, latex = false, watch = false, remove = false;
+  bool json = false, csv = false, latex = false, vertical = false, watch = false, remove = false,
+       no_caption = false;
+  std::string picture = "png";
   std::optional<double> from;
   RunOptions run;
   [[nodiscard]] OutputFormat format() const {
-    return json    ? OutputFormat::kJson
-           : csv   ? OutputFormat::kCsv
-           : latex ? OutputFormat::kLatex
-                   : OutputFormat::kText;
+    return json       ? OutputFormat::kJson
+           : csv      ? OutputFormat::kCsv
+           : latex    ? OutputFormat::kLatex
+           : vertical ? OutputFormat::kVertical
+                      : OutputFormat::kText;
   }
   [[nodiscard]] WantedResults results() const { return {path, from}; }
+  [[nodiscard]] std::optional<std::filesystem::path> output() const {
+    return file.empty() ? std::nullopt : std::optional(file);
+  }
 };
 
 using CommandAction = std::function<ExitStatus(const Arguments&)>;
@@ -126,11 +132,25 @@ void CommandLine::add_results_commands() {
   query->add_option("SQL", arguments_.sql, "One statement, e.g. \"SELECT label, re_tau FROM results\"")
       ->required();
   CLI::App* exporting = add("export", "Write one row a case", [](const Arguments& given) {
-    return export_campaign(given.results(), given.format(),
-                           given.file.empty() ? std::nullopt : std::optional(given.file));
+    return export_campaign(given.results(), given.format(), given.output());
   });
   exporting->add_option("-o,--output", arguments_.file, "File to write instead of standard output");
-  for (CLI::App* command : {table, query, exporting}) {
+  CLI::App* figures = add("figures", "Draw every figure that the campaign's data allow",
+                          [](const Arguments& given) -> ExitStatus {
+                            draw_figures(given.results(), {given.output(), given.picture, !given.no_caption});
+                          });
+  figures->add_option("-o,--output", arguments_.file,
+                      "Folder to write to; default: figures/ in the campaign's");
+  figures->add_option("--format", arguments_.picture, "Format of the pictures")
+      ->check(CLI::IsMember({"png", "pdf", "svg"}))
+      ->capture_default_str();
+  figures->add_flag("--no-caption", arguments_.no_caption, "Leave out the lines below each figure");
+  CLI::App* report =
+      add("report", "Write one HTML page: cases, tables, figures, provenance",
+          [](const Arguments& given) -> ExitStatus { write_report(given.results(), given.output()); });
+  report->add_option("-o,--output", arguments_.file,
+                     "File to write; default: report.html in the campaign's folder");
+  for (CLI::App* command : {table, query, exporting, figures, report}) {
     command
         ->add_option(
             "--from", arguments_.from,
@@ -145,6 +165,8 @@ void CommandLine::add_results_commands() {
     CLI::Option_group* format = command->add_option_group("Format");
     format->add_flag("--csv", arguments_.csv, "Comma-separated values");
     format->add_flag("--json", arguments_.json, "Print one JSON value");
+    if (command == query)
+      format->add_flag("--vertical", arguments_.vertical, "One value a line, for rows of many columns");
     if (command == table) format->add_flag("--latex", arguments_.latex, "Two tabulars for each reading of G");
     format->require_option(command == exporting ? 1 : 0, 1);
   }
@@ -227,7 +249,7 @@ ExitStatus CommandLine::run(int count, char** words) {
   return actions_.at(app_.get_subcommands().front())(arguments_);
 }
 
-/// What is to be done about a store that cannot be used. Made again is only what is damaged: on a full disk,
+/// Says what to do about a store that cannot be used. Only a damaged one is to be made again: on a full disk,
 /// or while another program holds it, that would take away what is still good.
 std::string advice_for(const SqliteError& error) {
   switch (error.primary_code()) {

@@ -30,7 +30,7 @@ fs::path campaign_file(const fs::path& path) {
   return path / kCampaignFile;
 }
 
-/// Without symbolic links: a solver that works there knows the folder by this name.
+/// The folder without symbolic links, because a solver that works there knows it by this name.
 fs::path folder_of(const fs::path& path) {
   const fs::path folder = is_folder(path) ? path : fs::absolute(path).parent_path();
   return fs::weakly_canonical(folder);

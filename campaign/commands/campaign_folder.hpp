@@ -19,11 +19,11 @@ struct LoadedCampaign {
 /// From a campaign file, or from a folder with a campaign.json. Throws BadInput.
 [[nodiscard]] LoadedCampaign load_campaign(const std::filesystem::path& path);
 
-/// What the run directories say, with what the store knows besides of attempts that failed.
+/// What the run directories say, together with what only the store knows about attempts that failed.
 [[nodiscard]] std::vector<Observation> observe_with_history(const LoadedCampaign& loaded,
                                                             const Launcher& launcher);
 
-/// The same as a run sees it: whoever runs a campaign asks for another try of what has failed.
+/// The observations as a run sees them: whoever runs a campaign asks for another try of what has failed.
 [[nodiscard]] std::vector<Observation> observe_for_run(const LoadedCampaign& loaded,
                                                        const Launcher& launcher);
 

@@ -24,17 +24,30 @@ struct RunOptions {
 /// or nothing is left to run; started before a run, it waits for one.
 [[nodiscard]] ExitStatus watch_status(const std::filesystem::path& path);
 
-/// Which results: of the campaign at this path, as the store has them, or with averages that begin elsewhere.
+/// Chooses results: those of the campaign at this path, as the store has them or with averages that begin
+/// elsewhere.
 struct WantedResults {
   std::filesystem::path path;
   std::optional<double> from;  ///< start of the averages of all cases but precursors, h/U_b
 };
-enum class OutputFormat { kText, kCsv, kJson, kLatex };
+enum class OutputFormat { kText, kVertical, kCsv, kJson, kLatex };
 [[nodiscard]] ExitStatus show_paper_tables(const WantedResults& wanted, OutputFormat format);
 [[nodiscard]] ExitStatus show_query(const WantedResults& wanted, const std::string& sql, OutputFormat format);
 /// To standard output where no file is named.
 [[nodiscard]] ExitStatus export_campaign(const WantedResults& wanted, OutputFormat format,
                                          const std::optional<std::filesystem::path>& file);
+
+struct FigureOptions {
+  std::optional<std::filesystem::path> output;  ///< folder; figures/ in the campaign's where none is given
+  std::string format = "png";                   ///< "png", "pdf" or "svg"
+  bool caption = true;                          ///< lines below each figure that say what it rests on
+};
+/// Every figure that the campaign's data allow. Python takes the place of this process.
+[[noreturn]] void draw_figures(const WantedResults& wanted, const FigureOptions& options);
+/// One HTML page of the campaign, finished or not; report.html in its folder where no file is named. Python
+/// takes the place of this process.
+[[noreturn]] void write_report(const WantedResults& wanted,
+                               const std::optional<std::filesystem::path>& output);
 
 /// Checkpoints, summaries and statistics of all cases, or of one (its label or the beginning of its id), read
 /// in full. Changes nothing.

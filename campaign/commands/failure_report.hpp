@@ -16,8 +16,8 @@ struct FailureReport {
   std::vector<Mistake> mistakes;  ///< of an input, each also in the text
 };
 
-/// As it is, or as one JSON value: {"error": {"status": 2, "message": "...", "mistakes": [{"where": ...,
-/// "given": ..., "allowed": ...}]}}.
+/// Tells a failure in words, or as one JSON value: {"error": {"status": 2, "message": "...", "mistakes":
+/// [{"where": ..., "given": ..., "allowed": ...}]}}.
 void report_failure(std::ostream& out, const FailureReport& report, bool json);
 
 }  // namespace softwall::campaign

@@ -41,10 +41,12 @@ std::vector<LeftBehind> left_behind(const LoadedCampaign& loaded) {
     const RunFiles run = run_files(loaded.folder, one);
     const std::string& id = one.definition.id;
     const auto known = hours.find(id);
-    found.push_back({one.definition.label, id, one.directory,
-                     std::string(word_of(observe_files(one, run).state)),
-                     known != hours.end() ? known->second : last_core_hours(run, id),
-                     found.size() < kMostExplained ? why_left_over(one, loaded.campaign) : ""});
+    found.push_back({.label = one.definition.label,
+                     .case_id = id,
+                     .directory = one.directory,
+                     .state = std::string(word_of(observe_files(one, run).state)),
+                     .core_hours = known != hours.end() ? known->second : last_core_hours(run, id),
+                     .reason = found.size() < kMostExplained ? why_left_over(one, loaded.campaign) : ""});
   }
   return found;
 }

@@ -56,7 +56,8 @@ double disk_bytes(const Campaign& campaign, const std::vector<Observation>& obse
   return needed;
 }
 
-/// Of the cases that can be at work side by side: as many of the largest as the cores hold, precursors first.
+/// Memory of the cases that can be at work side by side: as many of the largest as the cores hold, precursors
+/// first.
 double memory_side_by_side(const Campaign& campaign, const std::vector<Decision>& decisions) {
   double most = 0;
   for (const bool precursors : {true, false}) {
@@ -118,7 +119,7 @@ void add(const BadInput& error, Preflight& result) {
     result.mistakes.push_back({error.source, mistake.given, mistake.allowed});
 }
 
-/// Of a case that is yet to be started; 0: there is none, and nothing needs to be tried.
+/// Most ranks of a case that is yet to be started; 0: there is none, and nothing needs to be tried.
 int most_ranks(const Campaign& campaign, const std::vector<Decision>& decisions) {
   int most = 0;
   for (std::size_t i = 0; i < decisions.size(); ++i)

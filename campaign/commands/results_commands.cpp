@@ -25,6 +25,8 @@ TableFormat table_format(OutputFormat format) {
       return TableFormat::kCsv;
     case OutputFormat::kJson:
       return TableFormat::kJson;
+    case OutputFormat::kVertical:
+      return TableFormat::kVertical;
     case OutputFormat::kText:
     case OutputFormat::kLatex:
       break;

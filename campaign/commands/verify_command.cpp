@@ -5,6 +5,7 @@
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/findings.hpp"
 #include "campaign/commands/verify_record.hpp"
+#include "campaign/commands/verify_store.hpp"
 #include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
@@ -92,10 +93,12 @@ class Verification {
  public:
   Verification(const LoadedCampaign& loaded, Findings& findings) : loaded_(loaded), findings_(findings) {
     if (std::filesystem::exists(store_path(loaded.folder))) store_ = open_store();
+    if (store_) check_store();
   }
 
   void check(const CampaignCase& one, const RunFiles& run, bool busy) {
     const std::string& id = one.definition.id;
+    if (rows_ && !busy) tell_of_store(one.definition.label + ": ", rows_->trouble_with_case(one, run));
     if (!std::filesystem::exists(run.directory)) return;
     const auto tell = [&](const std::filesystem::path& file, const std::string& trouble) {
       findings_.add(one.directory + "/" + file.lexically_relative(run.directory).string(), trouble);
@@ -114,7 +117,7 @@ class Verification {
   }
 
  private:
-  /// What fits together only while nobody writes.
+  /// Compares files that agree only while nobody writes.
   template <class Tell>
   void check_at_rest(const CampaignCase& one, const RunFiles& run, const Tell& tell) {
     const std::string& id = one.definition.id;
@@ -126,7 +129,21 @@ class Verification {
     }
     if (observe_files(one, run).state != CaseState::kFinished) return;
     tell(run.statistics(), trouble_with_statistics(run, id));
-    if (store_) tell(run.statistics(), difference_of_result(*store_, one, run));
+    if (store_) tell(run.statistics(), store_->result_origin(id) ? "" : "the store has no result of it");
+  }
+
+  void check_store() {
+    try {
+      rows_.emplace(*store_, loaded_);
+      tell_of_store("", rows_->trouble_with_words());
+    } catch (const SqliteError& error) {
+      tell_of_store("", error.what());
+    }
+  }
+
+  /// One file, of which there may be something to tell for every case.
+  void tell_of_store(const std::string& where, const std::string& trouble) {
+    if (!trouble.empty()) findings_.add("results.db", where + trouble);
   }
 
   std::optional<Store> open_store() {
@@ -145,6 +162,7 @@ class Verification {
   const LoadedCampaign& loaded_;
   Findings& findings_;
   std::optional<Store> store_;
+  std::optional<StoreCheck> rows_;
 };
 
 std::vector<const CampaignCase*> choose(const Campaign& campaign, const std::optional<std::string>& chosen) {

@@ -2,16 +2,12 @@
 
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <tuple>
 
-#include "analysis/derived.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
-#include "campaign/store/import_results.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/case.hpp"
-#include "solver/run_directory/statistics_file.hpp"
 #include "solver/run_directory/summary.hpp"
 
 namespace softwall::campaign {
@@ -51,8 +47,6 @@ bool is_of_the_solver(int exit_code, const Summary& summary) {
   return outcome_of(static_cast<ExitCode>(exit_code)) == summary.outcome;
 }
 
-bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
-
 }  // namespace
 
 std::string difference_of_attempt(const Store& store, const CampaignCase& one, const RunFiles& run) {
@@ -83,32 +77,6 @@ std::string difference_of_attempt(const Store& store, const CampaignCase& one, c
   if (stored.start.host != summary->host || stored.start.ranks != summary->ranks)
     return "names another host or other ranks than the store";
   return same_diagnostics(stored.end, told) ? "" : "has other diagnostics than the store";
-}
-
-std::string difference_of_result(Store& store, const CampaignCase& one, const RunFiles& run) {
-  try {
-    const auto statistics = analysis::read_statistics(run.statistics());
-    const std::string& id = one.definition.id;
-    const auto origin = store.result_origin(id);
-    if (!origin) return "the store has no result of it";
-    const auto derived = analysis::derive(statistics, window_from(origin->window_asked.value_or(0)));
-    if (origin->analysis_version != analysis::kAnalysisVersion) return "";
-    for (const auto& [name, member] : analysis::kMeasuredMembers) {
-      Statement row = store.connection().query(
-          "SELECT value, ci95 FROM quantities WHERE case_id = ? AND quantity = ?", id, name);
-      const auto& measured = derived.*member;
-      const bool there = row.step();
-      const double value = there && !row.is_null(0) ? row.real(0) : std::nan("");
-      const double ci95 = there && !row.is_null(1) ? row.real(1) : std::nan("");
-      if (!same(value, measured.value) || !same(ci95, measured.ci95.value_or(std::nan(""))))
-        return "the store has another " + std::string(name) + " than its statistics give";
-    }
-    return "";
-  } catch (const SqliteError&) {
-    throw;
-  } catch (const std::runtime_error&) {
-    return "";
-  }
 }
 
 }  // namespace softwall::campaign

@@ -13,8 +13,4 @@ namespace softwall::campaign {
 [[nodiscard]] std::string difference_of_attempt(const Store& store, const CampaignCase& one,
                                                 const RunFiles& run);
 
-/// In what the stored result of a finished case differs from the one that its statistics give now; empty: in
-/// nothing, or one of them cannot be had, which others tell.
-[[nodiscard]] std::string difference_of_result(Store& store, const CampaignCase& one, const RunFiles& run);
-
 }  // namespace softwall::campaign

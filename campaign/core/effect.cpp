@@ -72,7 +72,10 @@ ExclusionUse::ExclusionUse(const json& exclusions) {
   for (const json& members : exclusions) {
     Exclusion& exclusion = exclusions_.emplace_back();
     for (const auto& [name, wanted] : members.items()) {
-      exclusion.values.push_back({name, find_parameter(name)->pointer, wanted, std::nullopt, false});
+      exclusion.values.push_back({.name = name,
+                                  .pointer = find_parameter(name)->pointer,
+                                  .wanted = wanted,
+                                  .nearest = std::nullopt});
     }
   }
 }

@@ -12,7 +12,7 @@ double cells_of(const CampaignCase& one) {
   return static_cast<double>(grid.nx) * grid.ny() * grid.nz;
 }
 
-/// From what the working solver says itself; 0 when it does not say.
+/// The remaining time by the report of the working solver; 0 when it does not say.
 double wall_seconds_left(const Status& status, double end_time) {
   if (status.dt <= 0 || status.seconds_per_step <= 0) return 0;
   return std::max(0.0, end_time - status.time) / status.dt * status.seconds_per_step;

@@ -1,14 +1,18 @@
 #include "campaign/core/expand.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <map>
+#include <set>
+#include <unordered_map>
 
 #include "campaign/core/case_mistakes.hpp"
 #include "campaign/core/effect.hpp"
 #include "campaign/core/label.hpp"
 #include "campaign/core/parameters.hpp"
 #include "campaign/core/sweep.hpp"
-#include "solver/case/case_id.hpp"
+#include "solver/case/case_checks.hpp"
 #include "solver/case/case_json.hpp"
 #include "solver/case/case_schema.hpp"
 
@@ -44,16 +48,45 @@ void put(const Point& point, json& physics) {
   for (const auto& [pointer, value] : point) physics[Pointer(pointer)] = value;
 }
 
-/// Gives an elastic wall the campaign's default of solid.dt_plus, which is not that of a case. Returns
-/// whether the campaign's file left it open.
-bool limit_steps(json& physics) {
-  const Pointer dt_plus("/solid/dt_plus"), fixed_dt("/time_step/fixed_dt");
-  if (physics.at("flow") != "elastic_wall" || !physics.contains("solid") || physics.contains(dt_plus) ||
-      physics.contains(fixed_dt))
-    return false;
-  physics[dt_plus] = campaign_schema().part(Pointer("/physics/solid/dt_plus"))->at("default");
-  return true;
+constexpr const char* kDtPlus = "/solid/dt_plus";
+constexpr const char* kFixedDt = "/time_step/fixed_dt";
+
+/// Gives an elastic wall the campaign's default of solid.dt_plus, which is not that of a case.
+void limit_steps(json& physics) {
+  physics[Pointer(kDtPlus)] = campaign_schema().part(Pointer("/physics/solid/dt_plus"))->at("default");
 }
+
+std::vector<Pointer> compiled(const std::vector<std::string>& pointers) {
+  return {pointers.begin(), pointers.end()};
+}
+
+/// Decides by the values that a point sets whether its case is valid by the schema, once another point that
+/// sets the same members has shown that the rest is. The schema judges every member by itself, so this is
+/// what it would say of the whole document, which differs in these values alone.
+class SoundValues {
+ public:
+  [[nodiscard]] bool covers(const Point& point) {
+    return sound_.contains(members_of(point)) && std::ranges::all_of(point, [&](const auto& item) {
+             return schema_of(item.first).mistakes(item.second).empty();
+           });
+  }
+  void note_sound(const Point& point) { sound_.insert(members_of(point)); }
+
+ private:
+  static std::string members_of(const Point& point) {
+    std::string members;
+    for (const auto& [pointer, value] : point) members += pointer + "\n";
+    return members;
+  }
+  const JsonSchema& schema_of(const std::string& pointer) {
+    const auto known = schemas_.find(pointer);
+    if (known != schemas_.end()) return known->second;
+    return schemas_.emplace(pointer, case_schema().part(Pointer("/physics" + pointer))->dump()).first->second;
+  }
+
+  std::set<std::string> sound_;  ///< the members set by points whose case was sound
+  std::map<std::string, JsonSchema> schemas_;
+};
 
 class Expansion {
  public:
@@ -62,7 +95,10 @@ class Expansion {
         existing_(existing),
         points_(sweep_points(spec.sweep)),
         swept_(swept_pointers(points_)),
-        exclusions_(spec.sweep.at("exclude")) {}
+        swept_places_(compiled(swept_)),
+        exclusions_(spec.sweep.at("exclude")),
+        common_(document_of(physics_with_flow(spec.physics), spec.run)),
+        filled_(with_defaults(common_)) {}
 
   Campaign run() {
     cases_.list.reserve(points_.size());
@@ -76,10 +112,13 @@ class Expansion {
     if (!without_effect.empty()) throw BadInput(spec_.source, std::move(without_effect));
     name(precursors_, "precursor");
     name(cases_, "");
-    Campaign campaign{spec_.name, spec_.description, std::move(precursors_.list), spec_.execution,
-                      spec_.text};
-    campaign.cases.reserve(campaign.cases.size() + cases_.list.size());
-    for (auto& c : cases_.list) campaign.cases.push_back(std::move(c));
+    Campaign campaign{.name = spec_.name,
+                      .description = spec_.description,
+                      .cases = std::move(cases_.list),
+                      .execution = spec_.execution,
+                      .spec_text = spec_.text};
+    campaign.cases.insert(campaign.cases.begin(), std::make_move_iterator(precursors_.list.begin()),
+                          std::make_move_iterator(precursors_.list.end()));
     make_labels_distinct(campaign);
     return campaign;
   }
@@ -88,46 +127,86 @@ class Expansion {
   /// Cases of one kind with what the sweep sets in them.
   struct Made {
     std::vector<CampaignCase> list;
-    std::vector<std::vector<json>> values;     ///< [case][swept pointer]; null: the case has no such member
-    std::map<std::string, std::size_t> index;  ///< by id
+    std::vector<std::vector<json>> values;  ///< [case][swept pointer]; null: it has no such member
+    std::unordered_map<std::string, std::size_t> index;  ///< by id
+    SoundValues sound;
   };
 
   /// A case before it has been checked.
   struct Candidate {
-    json written, filled;      ///< the document, without and with defaults
-    std::vector<json> values;  ///< by swept pointer, before it was made to start from a precursor
+    json filled;                    ///< the document with all defaults
+    std::vector<json> values;       ///< by swept pointer, before it was made to start from a precursor
+    std::function<json()> written;  ///< the document without defaults, which messages speak of
     std::string precursor_id;
-    bool any_steps;  ///< the campaign does not say how long its steps may be
+    const Point& point;
+    bool any_steps = false;  ///< the campaign does not say how long its steps may be
   };
 
-  void add(const Point& point) {
-    json physics = spec_.physics;
-    put(point, physics);
+  static json physics_with_flow(json physics) {
     if (!physics.contains("flow"))
       physics["flow"] = campaign_schema().part(Pointer("/physics/flow"))->at("default");
-    const bool any_steps = limit_steps(physics);
-    json document = document_of(std::move(physics), spec_.run);
-    json filled = with_defaults(document);
-    const json& wanted = filled.at("physics");
-    if (exclusions_.excludes(wanted)) return;
-    std::vector<json> values = values_of(wanted);
+    return physics;
+  }
+
+  /// The defaults of what all cases have in common are filled in once. They are filled in again after the
+  /// point's values have been put, because a point may bring in an object that has further members.
+  void add(const Point& point) {
+    json filled = filled_;
+    put(point, filled.at("physics"));
+    const bool any_steps = leaves_steps_open(point, filled.at("physics"));
+    if (any_steps) limit_steps(filled.at("physics"));
+    case_schema().fill_defaults(filled);
+    if (exclusions_.excludes(filled.at("physics"))) return;
+    std::vector<json> values = values_of(filled.at("physics"));
     std::string precursor_id;
     if (!spec_.precursor.is_null()) {
-      precursor_id = add_precursor(point);
-      document["physics"]["initial"] = {{"type", "precursor"},
-                                        {"precursor", precursor_id},
-                                        {"precursor_time", spec_.precursor.at("run").at("end_time")}};
-      filled = with_defaults(document);
+      precursor_id = precursor_for(point);
+      start_from(precursor_id, filled);
+      case_schema().fill_defaults(filled);
     }
-    add_case({std::move(document), std::move(filled), std::move(values), precursor_id, any_steps}, cases_);
+    const auto written = [&] {
+      json document = common_;
+      put(point, document.at("physics"));
+      if (any_steps) limit_steps(document.at("physics"));
+      if (!precursor_id.empty()) start_from(precursor_id, document);
+      return document;
+    };
+    add_case({.filled = std::move(filled),
+              .values = std::move(values),
+              .written = written,
+              .precursor_id = precursor_id,
+              .point = point,
+              .any_steps = any_steps},
+             cases_);
+  }
+
+  /// Whether the file says nothing about the steps of this elastic wall.
+  [[nodiscard]] bool leaves_steps_open(const Point& point, const json& physics) const {
+    const auto says = [&](const char* pointer) {
+      return point.contains(pointer) || common_.at("physics").contains(Pointer(pointer));
+    };
+    return physics.at("flow") == "elastic_wall" && physics.contains("solid") && !says(kDtPlus) &&
+           !says(kFixedDt);
+  }
+
+  void start_from(const std::string& precursor_id, json& document) const {
+    document.at("physics")["initial"] = {{"type", "precursor"},
+                                         {"precursor", precursor_id},
+                                         {"precursor_time", spec_.precursor.at("run").at("end_time")}};
   }
 
   /// Id of the precursor that this point's case starts from; made if no earlier point needed the same.
-  std::string add_precursor(const Point& point) {
-    json physics = spec_.physics;
+  std::string precursor_for(const Point& point) {
     Point fluid;
     for (const auto& [pointer, value] : point)
       if (concerns_precursor(pointer)) fluid[pointer] = value;
+    const auto [known, is_new] = precursor_ids_.try_emplace(fluid);
+    if (is_new) known->second = add_precursor(fluid);
+    return known->second;
+  }
+
+  std::string add_precursor(const Point& fluid) {
+    json physics = spec_.physics;
     put(fluid, physics);
     physics["flow"] = "rigid_channel";
     physics.erase("solid");
@@ -136,21 +215,36 @@ class Expansion {
     json run = spec_.run;
     for (const auto& [key, value] : spec_.precursor.items())
       (key == "run" ? run : physics[key]).merge_patch(value);
-    json document = document_of(std::move(physics), std::move(run));
+    const json document = document_of(std::move(physics), std::move(run));
     json filled = with_defaults(document);
     std::vector<json> values = values_of(filled.at("physics"));
-    return add_case({std::move(document), std::move(filled), std::move(values), "", false}, precursors_);
+    return add_case({.filled = std::move(filled),
+                     .values = std::move(values),
+                     .written = [&] { return document; },
+                     .precursor_id = "",
+                     .point = fluid},
+                    precursors_);
+  }
+
+  /// The mistakes of what was written. Defaults have none, nor does the schema require what has a default, so
+  /// that the filled document of a sound case tells that it is one.
+  static std::vector<Mistake> mistakes_of(const Candidate& candidate, SoundValues& sound) {
+    auto found = sound.covers(candidate.point) ? case_cross_checks(candidate.filled, {})
+                                               : case_mistakes(candidate.filled, candidate.filled);
+    if (!found.empty()) return case_mistakes(candidate.written(), candidate.filled);
+    sound.note_sound(candidate.point);
+    return found;
   }
 
   /// Checks a case and appends it unless it is there already. Returns its id.
   std::string add_case(Candidate candidate, Made& to) {
-    auto& [written, document, values, precursor_id, any_steps] = candidate;
+    auto& [document, values, written, precursor_id, point, any_steps] = candidate;
     const bool is_precursor = &to == &precursors_;
     const auto refuse = [&, &swept = values](std::vector<Mistake> found) {
       mistakes_.add(swept_label(swept), is_precursor ? "/precursor: " : "", std::move(found));
       return std::string(16, '0');  // lets the cases that start from it be checked all the same
     };
-    if (auto found = case_mistakes(written); !found.empty()) return refuse(std::move(found));
+    if (auto found = mistakes_of(candidate, to.sound); !found.empty()) return refuse(std::move(found));
     CampaignCase made;
     made.window_start = document.at("physics").at("statistics").at("start_time");
     continue_existing(document.at("physics"), any_steps);
@@ -191,8 +285,8 @@ class Expansion {
 
   [[nodiscard]] std::vector<json> values_of(const json& physics) const {
     std::vector<json> values;
-    for (const auto& pointer : swept_)
-      values.push_back(physics.contains(Pointer(pointer)) ? physics.at(Pointer(pointer)) : json());
+    for (const auto& place : swept_places_)
+      values.push_back(physics.contains(place) ? physics.at(place) : json());
     return values;
   }
 
@@ -205,7 +299,7 @@ class Expansion {
                                                                 const std::vector<bool>& chosen) const {
     std::vector<std::pair<std::string, json>> parameters;
     for (std::size_t i = 0; i < swept_.size(); ++i)
-      if (chosen[i] && !values[i].is_null()) parameters.emplace_back(Pointer(swept_[i]).back(), values[i]);
+      if (chosen[i] && !values[i].is_null()) parameters.emplace_back(swept_places_[i].back(), values[i]);
     return parameters;
   }
 
@@ -221,7 +315,7 @@ class Expansion {
       const auto parameters = named(made.values[c], varies);
       std::string label = parameters.empty() ? "" : label_of(parameters);
       if (!first.empty()) label = first + (label.empty() ? "" : "_" + label);
-      if (label.empty()) label = to_json(made.list[c].definition).at("physics").at("flow");
+      if (label.empty()) label = name_of(made.list[c].definition.physics.flow);
       made.list[c].definition.label = label;
       nlohmann::ordered_json varied = nlohmann::ordered_json::object();
       for (const auto& [parameter, value] : parameters) varied[parameter] = value;
@@ -233,7 +327,11 @@ class Expansion {
   const ExistingCases& existing_;
   std::vector<Point> points_;
   std::vector<std::string> swept_;
+  std::vector<Pointer> swept_places_;  ///< the same, to look members up by
   ExclusionUse exclusions_;
+  json common_;                                 ///< the document of a case, without what the sweep sets
+  json filled_;                                 ///< the same with all defaults
+  std::map<Point, std::string> precursor_ids_;  ///< by what a point sets of the precursor
   Made precursors_, cases_;
   std::map<std::string, Mistake> merged_;  ///< by the pointer of the parameter
   CaseMistakes mistakes_;

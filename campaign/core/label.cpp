@@ -1,8 +1,9 @@
 #include "campaign/core/label.hpp"
 
+#include <algorithm>
 #include <cctype>
-#include <map>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 
 #include "solver/case/case_id.hpp"
 
@@ -28,8 +29,6 @@ std::string value_text(const nlohmann::json& value) {
   std::erase(text, '+');
   return text;
 }
-
-std::string short_label(const std::string& label) { return safe_label(label).substr(0, kLongestLabel); }
 
 std::string with_id(const std::string& label, const std::string& case_id) {
   return label.substr(0, kLongestLabel - kIdDigits - 1) + "-" + case_id.substr(0, kIdDigits);
@@ -62,21 +61,27 @@ std::string label_in_directory(const std::string& directory, const std::string& 
   return name.ends_with(end) ? name.substr(0, name.size() - end.size()) : name;
 }
 
-void make_labels_distinct(Campaign& campaign, const std::set<std::string>& kept) {
-  std::map<std::string, int> bearers, keepers;
-  for (const CampaignCase& one : campaign.cases) {
-    const std::string label = short_label(one.definition.label);
+void make_labels_distinct(Campaign& campaign, const std::unordered_set<std::string>& kept) {
+  const std::size_t number = campaign.cases.size();
+  std::unordered_map<std::string, int> bearers, keepers;
+  bearers.reserve(number);
+  std::vector<bool> keeps(number);
+  for (std::size_t i = 0; i < number; ++i) {
+    CampaignCase& one = campaign.cases[i];
+    one.definition.label = safe_label(one.definition.label);
+    const std::string label = one.definition.label.substr(0, kLongestLabel);
     ++bearers[label];
-    if (kept.contains(one.definition.id)) ++keepers[label];
+    keeps[i] = kept.contains(one.definition.id);
+    if (keeps[i]) ++keepers[label];
   }
-  for (CampaignCase& one : campaign.cases) {
+  for (std::size_t i = 0; i < number; ++i) {
+    CampaignCase& one = campaign.cases[i];
     std::string& label = one.definition.label;
-    const std::string whole = safe_label(label);
-    const std::string cut = short_label(label);
-    const bool keeps = kept.contains(one.definition.id);
-    const bool alone = (keeps ? keepers[cut] : bearers[cut]) == 1;
-    label = whole == cut && alone ? cut : with_id(cut, one.definition.id);
-    if (!keeps) one.directory = case_directory(label, one.definition.id);
+    const bool is_cut = label.size() > kLongestLabel;
+    label.resize(std::min(label.size(), kLongestLabel));
+    const bool alone = (keeps[i] ? keepers : bearers).at(label) == 1;
+    if (is_cut || !alone) label = with_id(label, one.definition.id);
+    if (!keeps[i]) one.directory = case_directory(label, one.definition.id);
   }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <set>
 #include <string>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -21,7 +21,7 @@ namespace softwall::campaign {
 /// Makes the labels of a campaign safe as file names, at most 80 characters long and distinct: those that are
 /// longer, or that several cases would bear, end in the beginning of the case's id. Sets the directories,
 /// too. kept: ids of cases whose directory stays; their labels too, unless several of them bear the same.
-void make_labels_distinct(Campaign& campaign, const std::set<std::string>& kept = {});
+void make_labels_distinct(Campaign& campaign, const std::unordered_set<std::string>& kept = {});
 
 /// "cases/<label>-<first 8 of the id>".
 [[nodiscard]] std::string case_directory(const std::string& label, const std::string& case_id);

@@ -9,7 +9,7 @@
 namespace softwall::campaign {
 namespace {
 
-/// Of a rank before it has any field: program, MPI and HDF5 (measured: 16 x 16 x 16 cells took 45 MB).
+/// Memory of a rank before it has any field: program, MPI and HDF5 (measured: 16 x 16 x 16 cells took 45 MB).
 constexpr double kRankBytes = 45e6;
 
 /// Numbers of the fields' precision and bytes besides that a solver holds for each cell; measured as the

@@ -18,7 +18,7 @@ struct Parameter {
 /// All of them, in the schema's (alphabetical) order.
 [[nodiscard]] const std::vector<Parameter>& parameters();
 
-/// By name or full name.
+/// Finds a parameter by its name or full name; null when there is none.
 [[nodiscard]] const Parameter* find_parameter(const std::string& name);
 
 /// Names to suggest from.

@@ -12,12 +12,13 @@
 namespace softwall::campaign {
 namespace {
 
-/// Of batch systems (Slurm, PBS, LSF, Grid Engine, Cobalt) and of process managers.
+/// Variables of batch systems (Slurm, PBS, LSF, Grid Engine, Cobalt) and of process managers. With them
+/// mpirun would take itself for a part of an allocation.
 constexpr std::array<std::string_view, 17> kForeign = {
     "SLURM_",  "SLURMD_", "SRUN_", "SALLOC_", "SBATCH_", "PBS_",  "LSB_",  "LSF_",  "PE_HOSTFILE=",
     "COBALT_", "PMI_",    "PMI2_", "PMIX_",   "OMPI_",   "ORTE_", "PRTE_", "HYDRA_"};
 
-/// Those of Open MPI's settings that a person chooses and no mpirun leaves behind.
+/// Settings of Open MPI that only a person makes, because no mpirun leaves them behind.
 constexpr std::array<std::string_view, 9> kChosen = {
     "OMPI_ALLOW_RUN_AS_ROOT", "OMPI_MCA_btl", "OMPI_MCA_coll", "OMPI_MCA_io", "OMPI_MCA_mpi_yield_when_idle",
     "OMPI_MCA_mtl",           "OMPI_MCA_osc", "OMPI_MCA_pml",  "OMPI_MCA_fs"};

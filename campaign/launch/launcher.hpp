@@ -20,7 +20,7 @@ struct LaunchRequest {
 /// What an attempt leaves behind once none of its processes is left.
 struct EndedAttempt {
   std::string case_id;
-  /// As a shell shows it: 128 + signal for a killed launcher. Empty: nobody saw it.
+  /// The exit status as a shell shows it: 128 + signal for a killed launcher. Empty: nobody saw it.
   std::optional<int> exit_code;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <set>
 #include <thread>
 
 #include <nlohmann/json.hpp>
@@ -39,8 +40,8 @@ void keep_small(const std::filesystem::path& log) {
   if (is_too_large(log)) std::filesystem::rename(log, log.string() + ".old", none);
 }
 
-/// The same while an attempt writes it: it appends, so that it goes on at the new end. What it writes between
-/// the two steps is lost, and where the disk is full the copy, too.
+/// Makes room in a log while an attempt writes it. The attempt appends, so that it goes on at the new end.
+/// What it writes between the two steps is lost, and so is the copy where the disk is full.
 void keep_small_while_written(const std::filesystem::path& log) {
   if (!is_too_large(log)) return;
   std::error_code none;
@@ -125,16 +126,18 @@ void ProcessLauncher::note_end(Running& attempt) const {
 
 /// "mpirun is gone" does not mean that no rank is writing: waits for the last one, and helps after a while.
 std::vector<EndedAttempt> ProcessLauncher::collect() {
+  std::set<pid_t> sessions;  // of those whose mpirun has ended, which it led
   for (auto& [id, attempt] : running_) {
     note_end(attempt);
     keep_small_while_written(RunFiles{attempt.run_directory}.log());
+    if (attempt.ended) sessions.insert(attempt.leader);
   }
-  if (std::ranges::none_of(running_, [](const auto& item) { return item.second.ended; })) return {};
-  const ProcessesAtWork work = ProcessesAtWork::look();
+  if (sessions.empty()) return {};
+  const ProcessesAtWork work = ProcessesAtWork::look_in(sessions);
   std::vector<EndedAttempt> ended;
   for (auto item = running_.begin(); item != running_.end();) {
     const Running& attempt = item->second;
-    const auto ranks = work.in(attempt.run_directory);
+    const auto ranks = attempt.ended ? work.in(attempt.run_directory) : std::vector<pid_t>();
     if (!attempt.ended || !ranks.empty()) {
       const bool late = attempt.ended && monotonic_seconds() - attempt.ended_at > kRankGraceSeconds;
       if (late) signal_attempt(ranks, StopLevel::kKill);

@@ -47,7 +47,7 @@ class ProcessLauncher final : public Launcher {
  private:
   struct Running {
     std::filesystem::path run_directory;
-    pid_t leader = 0;    ///< mpirun, also the number of its process group
+    pid_t leader = 0;    ///< mpirun, also the number of its process group and session
     bool ended = false;  ///< mpirun has ended; its ranks may not have
     int exit_code = 0;
     double ended_at = 0.0;  ///< monotonic seconds

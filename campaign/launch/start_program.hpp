@@ -21,7 +21,7 @@ struct ProgramStart {
 /// called from one thread: the kernel's parent-death signal belongs to the thread that forks.
 [[nodiscard]] pid_t start_program(ProgramStart start);
 
-/// As a shell shows it: 128 + signal for a killed program.
+/// The exit status as a shell shows it: 128 + signal for a killed program.
 [[nodiscard]] int exit_code_of(int wait_status);
 
 }  // namespace softwall::campaign

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
+#include <unordered_map>
 
 #include "campaign/core/campaign.hpp"
 #include "campaign/core/existing_cases.hpp"
@@ -13,7 +13,7 @@ namespace softwall::campaign {
 inline constexpr std::size_t kIdDigits = 8;  ///< of a case id, at the end of its directory's name
 
 /// Directory by the digits of the id in its name, every one that is there.
-[[nodiscard]] std::multimap<std::string, std::string> existing_directories(
+[[nodiscard]] std::unordered_multimap<std::string, std::string> existing_directories(
     const std::filesystem::path& folder);
 
 /// The cases in run directories that belong to no case of the campaign as it reads by itself. Empty also when

@@ -11,6 +11,7 @@
 #include <set>
 #include <stdexcept>
 #include <system_error>
+#include <unordered_set>
 
 #include "campaign/core/label.hpp"
 #include "campaign/observe/case_directories.hpp"
@@ -168,7 +169,7 @@ bool may_be_of(const std::filesystem::path& directory, const std::string& case_i
 }  // namespace
 
 RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& campaign_case) {
-  return {std::filesystem::absolute(folder / campaign_case.directory).lexically_normal()};
+  return {std::filesystem::absolute(folder) / campaign_case.directory};
 }
 
 std::vector<bool> occupied(const std::vector<RunFiles>& runs, const Launcher& launcher) {
@@ -203,7 +204,7 @@ Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run
   // An older summary says nothing about an attempt that was started after it and left none.
   const bool speaks = summary && summary->attempt >= observation.attempts;
   if (speaks) observation.attempts = summary->attempt;
-  // Of a case that is done, nobody needs the checkpoints but those that start from it.
+  // Nobody needs the checkpoints of a case that is done, except where other cases start from them.
   const bool done = speaks && is_finished(*summary, campaign_case) && !campaign_case.is_precursor;
   if (!done) observe_checkpoints(run, observation);
   if (observation.newest_checkpoint) {
@@ -274,7 +275,7 @@ AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, 
 
 void keep_existing_directories(Campaign& campaign, const std::filesystem::path& folder) {
   const auto existing = existing_directories(folder);
-  std::set<std::string> kept;
+  std::unordered_set<std::string> kept;
   for (CampaignCase& one : campaign.cases) {
     const std::string& id = one.definition.id;
     const auto [first, last] = existing.equal_range(id.substr(0, kIdDigits));

@@ -29,7 +29,7 @@ namespace softwall::campaign {
 /// `attempts` is the newest attempt that left a trace; counting failures is the store's business.
 [[nodiscard]] Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run);
 
-/// The same where a person lets cases start over.
+/// The observation of a case that a person lets start over: lost checkpoints no longer stand in its way.
 [[nodiscard]] Observation without_lost_checkpoints(Observation observation);
 
 /// The state of one case.

@@ -48,7 +48,8 @@ class CaseBook {
   /// on from an older one, which gives the same last checkpoint again.
   void look_at_precursors();
 
-  /// Not again in this run: of no use unchanged, or only after something around it has been put right.
+  /// Neither is started again in this run. A case that is given up would fail again unchanged; a paused one
+  /// waits until somebody has put right what is in its way.
   void give_up(const CampaignCase& one, const std::string& reason);
   void pause(const CampaignCase& one, const std::string& reason);
   /// All that is not finished, looked at anew without the store, which is in trouble.

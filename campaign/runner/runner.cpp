@@ -147,7 +147,7 @@ void Runner::start(const Action& action) {
   launch(one, action, ladder);
 }
 
-/// Not again before a person has run the campaign again.
+/// The case is not started again before a person runs the campaign again.
 void Runner::pause(const CampaignCase& one, const std::string& reason) {
   changed_ = true;
   book_.pause(one, reason);
@@ -164,15 +164,20 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
   const int attempt = store_.begin_attempt(id, {host_name(), action.ranks, from});
   const std::int64_t first_step = ladder.newest ? ladder.header.step : 0;
   try {
-    const Handle handle = launcher_.start(
-        {id, run.directory, attempt, action.ranks, book_.campaign().execution.walltime_seconds});
+    const Handle handle = launcher_.start({.case_id = id,
+                                           .run_directory = run.directory,
+                                           .attempt = attempt,
+                                           .ranks = action.ranks,
+                                           .wall_seconds = book_.campaign().execution.walltime_seconds});
     AttemptWatch& watch = working_[id];
     watch.attempt = attempt;
     watch.ranks = action.ranks;
     watch.handle = handle;
     watch.first_step = watch.imported_step = first_step;
     watch.moved_at = monotonic_seconds();
-    write_run_record(run, {id, attempt, handle, host_name(), utc_now()});
+    write_run_record(
+        run,
+        {.case_id = id, .attempt = attempt, .handle = handle, .host = host_name(), .started = utc_now()});
     store_.attempt_started(id, attempt, handle);
   } catch (const std::runtime_error& error) {
     if (working_.contains(id)) throw;  // it runs, only its record failed: a matter for end_all()
@@ -219,13 +224,14 @@ void Runner::record_state(const CampaignCase& one, const AttemptEnd& end) {
   const std::string& id = one.definition.id;
   const RunFiles run = book_.files_of(one);
   store_.record_checkpoints(id, checkpoint_records(run));
-  Observation seen = observe_files(one, run);
-  if (failed_by_itself(end.outcome)) seen.state = CaseState::kFailed;
-  if (end.outcome == AttemptOutcome::kDiverged) seen.state = CaseState::kDiverged;
-  store_.set_state(id, seen.state, end.reason);
+  const Observation files = observe_files(one, run);
+  CaseState state = files.state;
+  if (failed_by_itself(end.outcome)) state = CaseState::kFailed;
+  if (end.outcome == AttemptOutcome::kDiverged) state = CaseState::kDiverged;
+  store_.set_state(id, state, end.reason);
   if (end.outcome == AttemptOutcome::kIoFailure) book_.pause(one, "disk full or I/O error: " + end.reason);
   if (end.outcome == AttemptOutcome::kBadCase) book_.give_up(one, end.reason);
-  book_.look_at(one);
+  book_.look_at(one, files, store_.find_case(id).value_or(CaseRecord{}));
   if (one.is_precursor) book_.look_at_precursors();
   progress_.event(describe_end_of_attempt(one, end, book_.seen(one)),
                   end.outcome == AttemptOutcome::kFinished      ? Progress::Kind::kGood

@@ -11,7 +11,8 @@
 /// What the runner does before it starts anything.
 namespace softwall::campaign {
 
-/// What an earlier runner left: its solvers adopted or ended, the store brought up to the run directories.
+/// Deals with what an earlier runner left: adopts or ends its solvers, and brings the store up to the run
+/// directories. False when the user asked to stop meanwhile.
 bool Runner::take_stock() {
   const auto& cases = book_.campaign().cases;
   store_.record_campaign(book_.campaign());
@@ -41,7 +42,7 @@ bool Runner::take_stock() {
   return true;
 }
 
-/// Of those nothing is opened, asked or written.
+/// Finds the cases that are settled: nothing of them has to be opened, asked or written.
 void Runner::find_settled() {
   const auto records = store_.all_cases();
   for (const CampaignCase& one : book_.campaign().cases) {
@@ -99,8 +100,11 @@ bool Runner::adopt(const CampaignCase& one) {
   const auto record = read_run_record(run);
   if (!record || record->case_id != id || store_.attempts(id) != record->attempt) return false;
   if (launcher_.presence(run.directory, record->handle) == Presence::kGone) return false;
-  const LaunchRequest request{id, run.directory, record->attempt, one.ranks,
-                              book_.campaign().execution.walltime_seconds};
+  const LaunchRequest request{.case_id = id,
+                              .run_directory = run.directory,
+                              .attempt = record->attempt,
+                              .ranks = one.ranks,
+                              .wall_seconds = book_.campaign().execution.walltime_seconds};
   if (!launcher_.adopt(request, record->handle)) return false;
   AttemptWatch& watch = working_[id];
   watch.attempt = record->attempt;

@@ -23,7 +23,7 @@ void close_open_attempts(Store& store, const CampaignCase& one, const RunFiles& 
   }
 }
 
-/// Those that a store which was made again does not know.
+/// Writes the attempts of history.json into a store that was made again and knows none.
 void restore_history(Store& store, const CampaignCase& one, const RunFiles& run) {
   const std::string& id = one.definition.id;
   if (store.attempts(id) > 0) return;
@@ -65,12 +65,24 @@ bool is_same_window(const ResultOrigin& origin, const analysis::DerivedQuantitie
          origin.window_end == derived.window_end;
 }
 
-/// The same window, and recorded after the attempt ended: two attempts can end within a second, and a window
-/// whose last block has only grown keeps its ends. Deriving again is cheap and harmless. (UTC in the same
-/// form, so that the order of the texts is the order in time.)
+/// The result is current when it has the same window and was recorded after the attempt ended. The window
+/// alone does not tell: two attempts can end within a second, and a window whose last block has only grown
+/// keeps its ends. Deriving again is cheap and harmless. (Both times are UTC in one form, so that they
+/// compare as texts.)
 bool is_current(const ResultOrigin& origin, const analysis::DerivedQuantities& derived,
                 const Summary& summary) {
   return is_same_window(origin, derived) && seconds_of(origin.recorded) >= seconds_of(summary.ended);
+}
+
+/// Records a result unless the store has one of which `is_same` says that it is the same. True when it was
+/// recorded now.
+template <class IsSame>
+bool record_if_new(Store& store, const std::string& case_id, const analysis::DerivedQuantities& derived,
+                   const IsSame& is_same) {
+  const auto origin = store.result_origin(case_id);
+  if (origin && is_same(*origin)) return false;
+  store.record_result(case_id, derived, build_info().git_revision);
+  return true;
 }
 
 }  // namespace
@@ -100,10 +112,8 @@ bool import_result(Store& store, const CampaignCase& one, const RunFiles& run) {
     throw std::runtime_error(run.statistics().string() + " belongs to another case, " + statistics.case_id);
   }
   const auto derived = analysis::derive(statistics, window_from(one.window_start));
-  const auto origin = store.result_origin(id);
-  if (origin && is_current(*origin, derived, *summary)) return false;
-  store.record_result(id, derived, build_info().git_revision);
-  return true;
+  return record_if_new(store, id, derived,
+                       [&](const ResultOrigin& origin) { return is_current(origin, derived, *summary); });
 }
 
 bool import_result_so_far(Store& store, const CampaignCase& one, const RunFiles& run) {
@@ -117,10 +127,8 @@ bool import_result_so_far(Store& store, const CampaignCase& one, const RunFiles&
   } catch (const std::runtime_error&) {
     return false;
   }
-  const auto origin = store.result_origin(id);
-  if (origin && is_same_window(*origin, derived)) return false;
-  store.record_result(id, derived, build_info().git_revision);
-  return true;
+  return record_if_new(store, id, derived,
+                       [&](const ResultOrigin& origin) { return is_same_window(origin, derived); });
 }
 
 bool is_recorded(const ResultOrigin& origin, const CampaignCase& one, const RunFiles& run) {

@@ -6,12 +6,13 @@
 #include "campaign/store/store.hpp"
 #include "solver/run_directory/run_files.hpp"
 
-/// From run directories into the store. Every function may be repeated at any time: it leaves the same rows.
+/// Brings what run directories hold into the store. Every function may be repeated at any time: it leaves the
+/// same rows.
 namespace softwall::campaign {
 
-/// What the store has not yet of the attempts and checkpoints in a run directory that nobody works in: the
-/// ends of attempts whose runner died, and, in a store made anew, the newest attempt itself.
-/// `seen`: what its files say, and whether anybody works on it.
+/// Records the attempts and checkpoints of a run directory that the store does not know yet: the ends of
+/// attempts whose runner died, and, in a store made anew, the attempts themselves. Nobody may work there.
+/// seen: what the files of the directory say.
 void import_history(Store& store, const CampaignCase& campaign_case, const RunFiles& run,
                     const Observation& seen);
 

@@ -17,7 +17,7 @@ namespace {
   throw SqliteError(connection.file().string() + ": " + why, 0);
 }
 
-/// Those that only look. With a value behind it, the name of a table, they stay harmless.
+/// The pragmas that only look. They stay harmless with a value, which is the name of a table.
 bool is_looking_pragma(const char* name) {
   constexpr std::array<const char*, 8> kLooking = {"table_list",       "table_info",     "table_xinfo",
                                                    "index_list",       "index_info",     "index_xinfo",

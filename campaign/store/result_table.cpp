@@ -83,6 +83,16 @@ void write_text(std::ostream& out, const ResultTable& table) {
   write_aligned(out, lines, columns);
 }
 
+void write_vertical(std::ostream& out, const ResultTable& table) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    if (row > 0) out << '\n';
+    std::vector<std::vector<std::string>> lines;
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+      lines.push_back({printable(table.columns[i]), std::visit(TextCell{}, table.rows[row][i])});
+    write_aligned(out, lines, {{Alignment::kLeft}, {Alignment::kLeft}});
+  }
+}
+
 void write_csv(std::ostream& out, const ResultTable& table) {
   const auto write_line = [&out](const auto& cells, const auto& text_of) {
     std::string line;
@@ -131,6 +141,8 @@ void write_table(std::ostream& out, const ResultTable& table, TableFormat format
   switch (format) {
     case TableFormat::kText:
       return write_text(out, table);
+    case TableFormat::kVertical:
+      return write_vertical(out, table);
     case TableFormat::kCsv:
       return write_csv(out, table);
     case TableFormat::kJson:

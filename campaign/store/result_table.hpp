@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-/// A table of values, and the three ways to write it.
+/// A table of values, and the ways to write it.
 namespace softwall::campaign {
 
 /// monostate: NULL.
@@ -20,12 +20,13 @@ struct ResultTable {
   std::vector<std::vector<Cell>> rows;  ///< each as long as columns
 };
 
-enum class TableFormat { kText, kCsv, kJson };
+enum class TableFormat { kText, kVertical, kCsv, kJson };
 
-/// Text: for people, aligned, numbers to six significant digits, control characters made visible.
-/// CSV: RFC 4180 with LF, header first, NULL empty and the empty text "", all digits; a row that is a single
-/// NULL is "", because readers drop blank lines. JSON: array of objects, numbers as numbers with all digits,
-/// NULL and non-finite numbers as null.
+/// Text: for people, aligned, numbers to six significant digits, control characters made visible. Vertical:
+/// the same, one value a line beside the name of its column, an empty line between rows. CSV: RFC 4180 with
+/// LF, header first, NULL empty and the empty text "", all digits; a row that is a single NULL is "", because
+/// readers drop blank lines. JSON: array of objects, numbers as numbers with all digits, NULL and non-finite
+/// numbers as null.
 void write_table(std::ostream& out, const ResultTable& table, TableFormat format);
 
 }  // namespace softwall::campaign

@@ -19,7 +19,7 @@ namespace softwall::campaign {
 [[nodiscard]] bool is_settled(const CampaignCase& campaign_case, const CaseRecord& known,
                               const RunFiles& run);
 
-/// What its files would say.
+/// The observation that its files would give, made from the store alone.
 [[nodiscard]] Observation settled_observation(const CampaignCase& campaign_case, const CaseRecord& known);
 
 using CaseRecords = std::unordered_map<std::string, CaseRecord>;  ///< by id, as Store::all_cases()

@@ -12,7 +12,7 @@ namespace softwall::campaign {
 
 namespace {
 
-/// Nothing is written in silence for a case or attempt that is not there.
+/// Throws when the last statement found no row: a case or attempt that is not there is an error.
 void require_row(const Connection& connection, const std::string& what) {
   if (connection.changes() == 0) throw SqliteError(connection.file().string() + ": no " + what + " in it", 0);
 }

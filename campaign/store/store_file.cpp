@@ -128,7 +128,7 @@ bool is_about_writing(const SqliteError& error) {
   return error.primary_code() == SQLITE_READONLY || error.primary_code() == SQLITE_CANTOPEN;
 }
 
-/// Of an earlier format, and not ours to change: whoever only reads reads a copy of the present format.
+/// A reader may not change a store of an earlier format, so it reads a copy that is brought up to date.
 Connection of_present_format(Connection connection) {
   if (schema_version(connection) == kSchemaVersion) return connection;
   Connection copy = copy_in_memory(connection);

@@ -5,7 +5,7 @@
 #include "campaign/store/sqlite.hpp"
 #include "campaign/system/file_system.hpp"
 
-/// From a campaign directory to an open, checked results.db.
+/// Finds, checks and opens the results.db of a campaign directory.
 namespace softwall::campaign {
 
 /// kCreate makes a new store where there is none and opens an existing one like kReadWrite.

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "campaign/core/words.hpp"
 #include "campaign/store/store.hpp"
 
@@ -5,38 +7,9 @@ namespace softwall::campaign {
 
 namespace {
 
-/// All of them, or the one that ?1 names. Attempts that count as failures without progress: ended, by no
-/// fault from outside, later than the case was forgiven and later than the last attempt that got further than
-/// every one before it. The parts are joined, never looked up case by case: ten thousand cases take one pass.
-std::string records_query(bool one) {
-  const std::string attempts_of = one ? "attempts WHERE case_id = ?1" : "attempts";
-  return "WITH history AS ("
-         "  SELECT case_id, attempt, ended, outcome, coalesce(step, 0) AS step, max(coalesce(step, 0)) OVER"
-         "    (PARTITION BY case_id ORDER BY attempt ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING)"
-         "    AS best_before FROM " +
-         attempts_of +
-         "),"
-         " progress AS (SELECT case_id, max(attempt) AS attempt FROM history"
-         "  WHERE step > coalesce(best_before, 0) GROUP BY case_id),"
-         " failures AS (SELECT h.case_id, count(*) AS number FROM history h JOIN cases c USING (case_id)"
-         "  LEFT JOIN progress p USING (case_id) WHERE h.ended IS NOT NULL"
-         "  AND h.outcome NOT IN ('finished', 'interrupted', 'not started', 'lost')"
-         "  AND h.attempt > coalesce(p.attempt, 0) AND h.attempt > c.forgiven GROUP BY h.case_id),"
-         " totals AS (SELECT case_id, max(attempt) AS newest, wall_seconds / nullif(attempt_steps, 0) AS pace"
-         "  FROM " +
-         attempts_of + (one ? "" : " GROUP BY case_id") +
-         "),"
-         " ends AS (SELECT case_id, max(time) AS time, max(step) AS step FROM " +
-         attempts_of + (one ? " AND" : " WHERE") + " outcome = 'finished'" +
-         (one ? "" : " GROUP BY case_id") +
-         ")"
-         " SELECT c.case_id, label, directory, is_precursor, state, state_reason, stale_reason,"
-         " coalesce(t.newest, 0), coalesce(f.number, 0), coalesce(e.time, 0), coalesce(e.step, 0),"
-         " coalesce(t.pace, 0), state_since"
-         " FROM cases c LEFT JOIN totals t USING (case_id) LEFT JOIN failures f USING (case_id)"
-         " LEFT JOIN ends e USING (case_id)" +
-         (one ? " WHERE c.case_id = ?1" : "");
-}
+constexpr std::string_view kCases =
+    "SELECT case_id, label, directory, is_precursor, state, state_reason, stale_reason, state_since, forgiven"
+    " FROM cases";
 
 CaseRecord case_in(const Statement& row) {
   CaseRecord record;
@@ -47,13 +20,69 @@ CaseRecord case_in(const Statement& row) {
   record.state = state_of(row.text(4)).value();  // the table's CHECK allows no other word
   record.state_reason = row.text(5);
   record.stale_reason = row.text(6);
-  record.attempts = static_cast<int>(row.integer(7));
-  record.attempts_without_progress = static_cast<int>(row.integer(8));
-  record.reached_time = row.real(9);
-  record.reached_step = row.integer(10);
-  record.seconds_per_step = row.real(11);
-  record.state_since = row.text(12);
+  record.state_since = row.text(7);
   return record;
+}
+
+constexpr std::string_view kAttempts =
+    "SELECT case_id, attempt, ended IS NOT NULL, outcome, step, time, wall_seconds, attempt_steps"
+    " FROM attempts";
+
+bool is_fault_of_the_case(const std::string& outcome) {
+  return outcome != "finished" && outcome != "interrupted" && outcome != "not started" && outcome != "lost";
+}
+
+/// What the attempts of one case, taken in their order, say about it.
+class AttemptTally {
+ public:
+  AttemptTally(CaseRecord& record, int forgiven) : record_(record), forgiven_(forgiven) {}
+
+  void add(const Statement& row) {
+    const auto attempt = static_cast<int>(row.integer(1));
+    const bool ended = row.integer(2) != 0;
+    const std::string outcome = row.text(3);
+    const std::int64_t step = row.integer(4);
+    record_.attempts = attempt;
+    record_.seconds_per_step = row.integer(7) != 0 ? row.real(6) / static_cast<double>(row.integer(7)) : 0.0;
+    if (outcome == "finished") {
+      record_.reached_time = std::max(record_.reached_time, row.real(5));
+      record_.reached_step = std::max(record_.reached_step, step);
+    }
+    if (step > furthest_) {
+      furthest_ = step;
+      record_.attempts_without_progress = 0;
+    } else if (ended && attempt > forgiven_ && is_fault_of_the_case(outcome)) {
+      ++record_.attempts_without_progress;
+    }
+  }
+
+ private:
+  CaseRecord& record_;
+  int forgiven_;  ///< attempts up to this one no longer count as failures
+  std::int64_t furthest_ = 0;
+};
+
+/// Two passes, one over the cases and one over their attempts: the answer to one question about both takes
+/// SQLite several times as long. The rows may be of all cases or of one.
+std::unordered_map<std::string, CaseRecord> records_in(Statement cases, Statement attempts) {
+  std::unordered_map<std::string, CaseRecord> records;
+  std::unordered_map<std::string, int> forgiven;
+  while (cases.step()) {
+    CaseRecord record = case_in(cases);
+    if (cases.integer(8) > 0) forgiven[record.case_id] = static_cast<int>(cases.integer(8));
+    records.emplace(record.case_id, std::move(record));
+  }
+  std::optional<AttemptTally> tally;
+  std::string tallied;
+  while (attempts.step()) {
+    if (std::string id = attempts.text(0); !tally || id != tallied) {
+      const auto pardon = forgiven.find(id);
+      tally.emplace(records.at(id), pardon == forgiven.end() ? 0 : pardon->second);
+      tallied = std::move(id);
+    }
+    tally->add(attempts);
+  }
+  return records;
 }
 
 constexpr std::string_view kPastAttempts =
@@ -88,19 +117,16 @@ PastAttempt past_attempt_in(const Statement& row) {
 }  // namespace
 
 std::optional<CaseRecord> Store::find_case(const std::string& case_id) const {
-  Statement rows = connection_.query(records_query(true), case_id);
-  if (!rows.step()) return std::nullopt;
-  return case_in(rows);
+  static const std::string kCase = std::string(kCases) + " WHERE case_id = ?";
+  static const std::string kAttemptsOfCase = std::string(kAttempts) + " WHERE case_id = ? ORDER BY attempt";
+  auto found = records_in(connection_.query(kCase, case_id), connection_.query(kAttemptsOfCase, case_id));
+  if (found.empty()) return std::nullopt;
+  return std::move(found.begin()->second);
 }
 
 std::unordered_map<std::string, CaseRecord> Store::all_cases() const {
-  std::unordered_map<std::string, CaseRecord> all;
-  Statement rows = connection_.prepare(records_query(false));
-  while (rows.step()) {
-    CaseRecord record = case_in(rows);
-    all.emplace(record.case_id, std::move(record));
-  }
-  return all;
+  static const std::string kAllAttempts = std::string(kAttempts) + " ORDER BY case_id, attempt";
+  return records_in(connection_.query(kCases), connection_.query(kAllAttempts));
 }
 
 int Store::attempts(const std::string& case_id) const {

@@ -22,16 +22,26 @@ constexpr std::array<Detail, 7> kDetails = {{
     {"window_asked", &DerivedQuantities::window_asked},
 }};
 
-/// Every result has the quantity "batches", and those of one result have the same origin. Results of earlier
-/// versions do not say which window was asked for.
-std::string origins_query() {
-  return "SELECT q.case_id, q.analysis_version, q.window_start, q.window_end, q.recorded, w.value"
-         " FROM quantities q LEFT JOIN quantities w ON w.case_id = q.case_id AND w.quantity = 'window_asked'"
-         " WHERE q.quantity = 'batches'";
-}
+/// Every result has the quantity "batches", and the rows of one result have the same origin. Results of
+/// earlier versions do not say which window was asked for.
+constexpr std::string_view kOrigins =
+    "SELECT case_id, quantity, value, analysis_version, window_start, window_end, recorded FROM quantities"
+    " WHERE quantity IN ('batches', 'window_asked')";
 
-ResultOrigin origin_in(const Statement& row) {
-  return {static_cast<int>(row.integer(1)), row.real(2), row.real(3), row.optional_real(5), row.text(4)};
+std::unordered_map<std::string, ResultOrigin> origins_in(Statement rows) {
+  std::unordered_map<std::string, ResultOrigin> all;
+  while (rows.step()) {
+    ResultOrigin& origin = all[rows.text(0)];
+    if (rows.text(1) == "window_asked") {
+      origin.window_asked = rows.optional_real(2);
+      continue;
+    }
+    origin.analysis_version = static_cast<int>(rows.integer(3));
+    origin.window_start = rows.real(4);
+    origin.window_end = rows.real(5);
+    origin.recorded = rows.text(6);
+  }
+  return all;
 }
 
 }  // namespace
@@ -61,16 +71,13 @@ void Store::remove_result(const std::string& case_id) {
 }
 
 std::optional<ResultOrigin> Store::result_origin(const std::string& case_id) const {
-  Statement found = connection_.query(origins_query() + " AND q.case_id = ?", case_id);
-  if (!found.step()) return std::nullopt;
-  return origin_in(found);
+  static const std::string kOrigin = std::string(kOrigins) + " AND case_id = ?";
+  const auto found = origins_in(connection_.query(kOrigin, case_id));
+  return found.empty() ? std::nullopt : std::optional(found.begin()->second);
 }
 
 std::unordered_map<std::string, ResultOrigin> Store::result_origins() const {
-  Statement rows = connection_.prepare(origins_query());
-  std::unordered_map<std::string, ResultOrigin> all;
-  while (rows.step()) all[rows.text(0)] = origin_in(rows);
-  return all;
+  return origins_in(connection_.query(kOrigins));
 }
 
 }  // namespace softwall::campaign

@@ -9,11 +9,11 @@
 /// Text in columns on a terminal.
 namespace softwall::campaign {
 
-/// The same text, harmless on a terminal: control characters, invalid UTF-8 and the characters that turn the
+/// Makes a text harmless on a terminal: control characters, invalid UTF-8 and the characters that turn the
 /// direction of writing around become \n, \x1b, ...
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The same for a message of several lines, whose line breaks stay.
+/// Makes a message of several lines harmless, and keeps its line breaks.
 [[nodiscard]] std::string printable_lines(std::string_view text);
 
 /// Characters (code points) of a UTF-8 text.

@@ -11,12 +11,12 @@ enum class JournalMode {
   kRollback,       ///< works wherever file locks do
 };
 
-/// By the type that statfs(2) names. Only file systems known to be local get the write-ahead log: a network
-/// file system we have not heard of, FUSE or an overlay of unknown layers would otherwise damage the store in
-/// silence.
+/// The journal for a file system of the type that statfs(2) names. Only file systems known to be local get
+/// the write-ahead log: a network file system we have not heard of, FUSE or an overlay of unknown layers
+/// would otherwise damage the store in silence.
 [[nodiscard]] JournalMode journal_mode_for_type(long file_system_type);
 
-/// Of the file system that holds path. Throws std::system_error when it cannot be asked.
+/// The journal for the file system that holds path. Throws std::system_error when it cannot be asked.
 [[nodiscard]] JournalMode journal_mode_for(const std::filesystem::path& path);
 
 /// When the file system last changed anything about a file or folder, UTC text in milliseconds: a time that

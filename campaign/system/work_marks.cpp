@@ -12,8 +12,8 @@
 namespace softwall::campaign {
 namespace {
 
-std::string environment_of(const std::filesystem::path& process) {
-  std::ifstream in(process / "environ", std::ios::binary);
+std::string environment_of(pid_t pid) {
+  std::ifstream in("/proc/" + std::to_string(pid) + "/environ", std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
@@ -38,12 +38,24 @@ std::optional<std::string> value_in(std::string_view environment, const std::str
 }
 
 /// Where process pid works; nothing when it is none of ours.
-std::optional<std::string> workplace_of(pid_t pid, const std::filesystem::path& process) {
-  const std::string environment = environment_of(process);
+std::optional<std::string> workplace_of(pid_t pid) {
+  const std::string environment = environment_of(pid);
   const auto directory = value_in(environment, kRunDirectoryVariable);
   if (!directory) return std::nullopt;
   const auto session = value_in(environment, kSessionVariable);
   return session && number_in(*session) == getsid(pid) ? directory : std::nullopt;
+}
+
+std::vector<pid_t> other_processes() {
+  const pid_t self = getpid();
+  std::vector<pid_t> found;
+  std::error_code ignored;  // processes end while we look; what cannot be read is not ours
+  for (std::filesystem::directory_iterator item("/proc", ignored), end; item != end;
+       item.increment(ignored)) {
+    const auto pid = number_in(item->path().filename().native());
+    if (pid && *pid != self) found.push_back(*pid);
+  }
+  return found;
 }
 
 }  // namespace
@@ -58,15 +70,19 @@ std::string run_directory_mark(const std::filesystem::path& run_directory) {
 
 ProcessesAtWork ProcessesAtWork::look() {
   ProcessesAtWork work;
-  std::error_code ignored;  // processes end while we look; what cannot be read is not ours
-  for (std::filesystem::directory_iterator item("/proc", ignored), end; item != end;
-       item.increment(ignored)) {
-    const auto pid = number_in(item->path().filename().string());
-    if (!pid || *pid == getpid()) continue;
-    if (const auto directory = workplace_of(*pid, item->path()))
-      work.by_directory_[*directory].push_back(*pid);
-  }
+  for (const pid_t pid : other_processes()) work.add(pid);
   return work;
+}
+
+ProcessesAtWork ProcessesAtWork::look_in(const std::set<pid_t>& sessions) {
+  ProcessesAtWork work;
+  for (const pid_t pid : other_processes())
+    if (sessions.contains(getsid(pid))) work.add(pid);
+  return work;
+}
+
+void ProcessesAtWork::add(pid_t pid) {
+  if (const auto directory = workplace_of(pid)) by_directory_[*directory].push_back(pid);
 }
 
 std::vector<pid_t> ProcessesAtWork::in(const std::filesystem::path& run_directory) const {

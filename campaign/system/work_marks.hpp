@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,15 @@ inline constexpr const char* kSessionVariable = "SOFTWALL_SESSION";
 class ProcessesAtWork {
  public:
   [[nodiscard]] static ProcessesAtWork look();
+  /// Looks at the processes of a few sessions only. All others are asked for their session and not read.
+  [[nodiscard]] static ProcessesAtWork look_in(const std::set<pid_t>& sessions);
 
   /// The live processes of this user that work in a run directory: mpirun and all ranks.
   [[nodiscard]] std::vector<pid_t> in(const std::filesystem::path& run_directory) const;
   [[nodiscard]] bool nobody() const { return by_directory_.empty(); }
 
  private:
+  void add(pid_t pid);
   std::map<std::string, std::vector<pid_t>> by_directory_;  ///< by the one spelling
 };
 

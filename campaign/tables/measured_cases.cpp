@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <unordered_map>
 
 namespace softwall::campaign {
 
@@ -12,13 +13,15 @@ namespace {
 constexpr int kMostDecimals = 4;
 constexpr std::size_t kMostCharacters = 16;  // what keeps the widest table on its page
 
+/// Asks the tables, because the view `results` would gather every column of every case first. All rows of a
+/// result have the same window and note, and each result has the quantity "batches".
 constexpr std::string_view kCases = R"sql(
-SELECT r.label, r.state, r.stale_reason, r.note, r.grid, r.G, r.viscosity_ratio, r.reynolds,
+SELECT c.label, c.state, c.stale_reason, q.note, c.grid, c.G, c.viscosity_ratio, c.reynolds,
   iif(c.flow = 'rigid_channel', 0.0, json_extract(c.physics, '$.domain.layer_height')),
-  r.window_start, r.window_end, r.end_time, r.case_id, c.flow
-FROM results r JOIN cases c ON c.case_id = r.case_id
-WHERE r.in_campaign = 1
-ORDER BY r.G IS NOT NULL, r.viscosity_ratio = 1 DESC, r.viscosity_ratio, r.G DESC, r.case_id
+  q.window_start, q.window_end, c.end_time, c.case_id, c.flow
+FROM cases c LEFT JOIN quantities q ON q.case_id = c.case_id AND q.quantity = 'batches'
+WHERE c.in_campaign = 1
+ORDER BY c.G IS NOT NULL, c.viscosity_ratio = 1 DESC, c.viscosity_ratio, c.G DESC, c.case_id
 )sql";
 
 std::string fixed(double value, int decimals) {
@@ -38,9 +41,15 @@ int decimals_for(double ci95) {
   return std::clamp(1 - static_cast<int>(std::floor(std::log10(ci95))), 0, kMostDecimals);
 }
 
-void read_values(Connection& store, const std::string& case_id, MeasuredCase& result) {
-  Statement rows = store.query("SELECT quantity, value, ci95 FROM quantities WHERE case_id = ?", case_id);
-  while (rows.step()) result.values[rows.text(0)] = {rows.optional_real(1), rows.optional_real(2)};
+void read_values(Connection& store, std::vector<MeasuredCase>& cases) {
+  std::unordered_map<std::string, MeasuredCase*> by_id;
+  for (MeasuredCase& one : cases) by_id.emplace(one.case_id, &one);
+  Statement rows = store.query("SELECT case_id, quantity, value, ci95 FROM quantities");
+  while (rows.step()) {
+    const auto found = by_id.find(rows.text(0));
+    if (found == by_id.end()) continue;  // left over from an earlier version of the campaign file
+    found->second->values[rows.text(1)] = {rows.optional_real(2), rows.optional_real(3)};
+  }
 }
 
 }  // namespace
@@ -69,9 +78,9 @@ std::vector<MeasuredCase> measured_cases(Connection& store) {
     found.window_end = rows.optional_real(10);
     found.end_time = rows.real(11);
     found.flow = rows.text(13);
-    read_values(store, found.case_id, found);
     cases.push_back(std::move(found));
   }
+  read_values(store, cases);
   return cases;
 }
 

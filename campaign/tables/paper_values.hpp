@@ -24,7 +24,7 @@ struct PaperCase {
 /// The rows of analysis/data/rosti_brandt_2017_tables.csv, which is built into the program; read once.
 [[nodiscard]] const std::vector<PaperCase>& paper_cases();
 
-/// The same from any text of that layout. Throws std::runtime_error naming the line that is wrong.
+/// Reads the values from any text of that layout. Throws std::runtime_error naming the line that is wrong.
 [[nodiscard]] std::vector<PaperCase> parse_paper_cases(std::string_view csv);
 
 }  // namespace softwall::campaign

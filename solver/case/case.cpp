@@ -19,19 +19,19 @@ const JsonSchema& case_schema() {
   return schema;
 }
 
-std::vector<Mistake> case_mistakes(const json& document) {
+std::vector<Mistake> case_mistakes(const json& document, const json& filled) {
   std::vector<Mistake> mistakes = case_schema().mistakes(document);
-  json filled = document;
-  case_schema().fill_defaults(filled);
   for (auto& more : case_cross_checks(filled, mistakes)) mistakes.push_back(std::move(more));
   return mistakes;
 }
 
 Case case_from_json(json document, const std::string& source) {
   document = normalised(std::move(document));
-  if (auto mistakes = case_mistakes(document); !mistakes.empty()) throw BadInput(source, std::move(mistakes));
-  case_schema().fill_defaults(document);
-  return valid_case(document);
+  json filled = document;
+  case_schema().fill_defaults(filled);
+  if (auto mistakes = case_mistakes(document, filled); !mistakes.empty())
+    throw BadInput(source, std::move(mistakes));
+  return valid_case(filled);
 }
 
 Case parse_case(const std::string& text) { return case_from_json(parse_json(text, "case"), "case"); }

@@ -131,6 +131,9 @@ struct Case {
   std::string id;  ///< case_id(physics), 16 hexadecimal digits
 };
 
+/// "elastic_wall" and its like, as in a case.
+[[nodiscard]] std::string name_of(FlowType flow);
+
 /// "double" or "single", as in a case and in the header of a checkpoint.
 [[nodiscard]] std::string name_of(Precision precision);
 

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "solver/case/interface_mode.hpp"
 #include "solver/case/wall_normal_grid.hpp"
@@ -16,6 +17,19 @@ namespace {
 
 using nlohmann::json;
 
+/// The member at a pointer of plain keys, or null. A json_pointer would be parsed for each question anew.
+const json* member_at(const json& document, std::string_view pointer) {
+  const json* at = &document;
+  while (!pointer.empty() && at) {
+    pointer.remove_prefix(1);
+    const std::string_view key = pointer.substr(0, pointer.find('/'));
+    const auto found = at->find(key);
+    at = found != at->end() ? &*found : nullptr;
+    pointer.remove_prefix(key.size());
+  }
+  return at;
+}
+
 /// Gives members that the schema found in order, and nothing for all others.
 class SoundMembers {
  public:
@@ -23,20 +37,18 @@ class SoundMembers {
       : document_(document), known_(known) {}
 
   template <typename T>
-  [[nodiscard]] std::optional<T> get(const std::string& pointer) const {
+  [[nodiscard]] std::optional<T> get(std::string_view pointer) const {
     const json* value = find(pointer);
     return value ? std::optional<T>(value->get<T>()) : std::nullopt;
   }
 
-  [[nodiscard]] const json* find(const std::string& pointer) const {
-    const json::json_pointer place(pointer);
-    if (spoilt(pointer) || !document_.contains(place)) return nullptr;
-    return &document_.at(place);
+  [[nodiscard]] const json* find(std::string_view pointer) const {
+    return spoilt(pointer) ? nullptr : member_at(document_, pointer);
   }
 
  private:
   /// True when a mistake lies at the member or at one that encloses it.
-  [[nodiscard]] bool spoilt(const std::string& pointer) const {
+  [[nodiscard]] bool spoilt(std::string_view pointer) const {
     return std::any_of(known_.begin(), known_.end(), [&](const Mistake& mistake) {
       return pointer == mistake.where || pointer.starts_with(mistake.where + "/");
     });
@@ -70,14 +82,14 @@ void check_no_box(const SoundMembers& members, const json& filled, std::vector<M
     mistakes.push_back({"/physics/domain/height", std::to_string(*height), "must be 2 in a channel"});
   if (members.get<std::string>("/physics/time_step/viscosity") == "implicit")
     mistakes.push_back({"/physics/time_step/viscosity", "implicit", "must be \"explicit\" in a channel"});
-  if (filled.contains(json::json_pointer("/physics/solid/disc")))
+  if (member_at(filled, "/physics/solid/disc"))
     mistakes.push_back({"/physics/solid/disc", "given", "only a closed box holds one: leave it out"});
 }
 
 /// An elastic layer on the upper wall.
 void check_layer(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
   check_no_box(members, filled, mistakes);
-  if (!filled.contains(json::json_pointer("/physics/solid")))
+  if (!member_at(filled, "/physics/solid"))
     mistakes.push_back({"/physics/solid", "missing",
                         "flow \"" + members.get<std::string>("/physics/flow").value_or("") +
                             "\" needs an object with at least G"});
@@ -129,7 +141,7 @@ void check_wave_rate(const SoundMembers& members, std::vector<Mistake>& mistakes
 
 void check_interface_wave(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
   check_layer(members, filled, mistakes);
-  if (!filled.contains(json::json_pointer("/physics/wave")))
+  if (!member_at(filled, "/physics/wave"))
     mistakes.push_back(
         {"/physics/wave", "missing", "flow \"interface_wave\" needs an object with decay and frequency"});
   if (members.get<std::string>("/physics/initial/type") == "precursor")
@@ -138,13 +150,13 @@ void check_interface_wave(const SoundMembers& members, const json& filled, std::
 }
 
 void check_no_wave(const json& filled, std::vector<Mistake>& mistakes) {
-  if (filled.contains(json::json_pointer("/physics/wave")))
+  if (member_at(filled, "/physics/wave"))
     mistakes.push_back({"/physics/wave", "given", "only flow \"interface_wave\" has one: leave it out"});
 }
 
 void check_rigid(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
   check_no_box(members, filled, mistakes);
-  if (filled.contains(json::json_pointer("/physics/solid")))
+  if (member_at(filled, "/physics/solid"))
     mistakes.push_back({"/physics/solid", "given", "flow \"rigid_channel\" has none: leave it out"});
   const auto ny_solid = members.get<int>("/physics/grid/ny_solid");
   if (ny_solid.value_or(0) != 0)
@@ -174,9 +186,9 @@ void check_disc(const SoundMembers& members, std::vector<Mistake>& mistakes) {
 
 void check_closed_box(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
   const auto flow = members.get<std::string>("/physics/flow");
-  const bool has_disc = filled.contains(json::json_pointer("/physics/solid/disc"));
+  const bool has_disc = member_at(filled, "/physics/solid/disc");
   if (has_disc) check_disc(members, mistakes);
-  if (!has_disc && (flow == "rotation" || filled.contains(json::json_pointer("/physics/solid"))))
+  if (!has_disc && (flow == "rotation" || member_at(filled, "/physics/solid")))
     mistakes.push_back({"/physics/solid/disc", "missing", "the solid of a closed box is a disc"});
   if (const auto ny = members.get<int>("/physics/grid/ny_solid"); ny.value_or(0) != 0)
     mistakes.push_back({"/physics/grid/ny_solid", std::to_string(*ny), "must be 0 in a closed box"});

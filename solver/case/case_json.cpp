@@ -223,6 +223,8 @@ json to_json(const RunSpec& run) {
 
 }  // namespace
 
+std::string name_of(FlowType flow) { return name_of(flow, kFlowNames); }
+
 std::string name_of(Precision precision) { return name_of(precision, kPrecisionNames); }
 
 Case valid_case(const json& filled) {

@@ -9,8 +9,10 @@
 
 namespace softwall {
 
-/// Every mistake of a case document: of the schema, and of members that do not fit each other.
-[[nodiscard]] std::vector<Mistake> case_mistakes(const nlohmann::json& document);
+/// Every mistake of a case document: of the schema, and of members that do not fit each other. filled: the
+/// same document with all defaults.
+[[nodiscard]] std::vector<Mistake> case_mistakes(const nlohmann::json& document,
+                                                 const nlohmann::json& filled);
 
 /// Checks, fills in defaults, converts. Throws BadInput, naming `source`, with every mistake.
 [[nodiscard]] Case case_from_json(nlohmann::json document, const std::string& source);

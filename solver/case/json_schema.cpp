@@ -1,6 +1,7 @@
 #include "solver/case/json_schema.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -81,6 +82,72 @@ void add_missing(const json& object, const json& node, const Pointer& at, std::v
   }
 }
 
+/// A member that a schema describes, with what its defaults are: a schema holds many other words, and looking
+/// these up in it for each case of a large campaign would take longer than all else about the case.
+struct Member {
+  std::string key;
+  std::optional<json> standard;  ///< "default"
+  std::optional<json> dropped;   ///< what stands for "as ever": "identity_default", or else "default"
+  std::vector<Member> members;   ///< sorted by key, as those of a json object are
+};
+
+std::optional<json> word_in(const json& node, const char* word) {
+  const auto found = node.find(word);
+  return found == node.end() ? std::nullopt : std::optional<json>(*found);
+}
+
+Member member_of(const std::string& key, const json& node) {
+  Member member{key, word_in(node, "default"), word_in(node, "identity_default"), {}};
+  if (!member.dropped) member.dropped = member.standard;
+  if (!node.contains("properties")) return member;
+  for (const auto& [name, child] : node.at("properties").items())
+    member.members.push_back(member_of(name, child));
+  return member;
+}
+
+/// Calls `visit` with each described member and where it is in `object`, or would have to be put: both are
+/// sorted, so that one pass suffices.
+template <class Object, class Visit>
+void walk_together(const Member& node, Object& object, const Visit& visit) {
+  auto at = object.begin();
+  for (const Member& child : node.members) {
+    while (at != object.end() && at->first < child.key) ++at;
+    visit(child, at, at != object.end() && at->first == child.key);
+  }
+}
+
+const Member* described(const Member& node, const std::string& key) {
+  const auto found = std::ranges::lower_bound(node.members, key, {}, &Member::key);
+  return found != node.members.end() && found->key == key ? &*found : nullptr;
+}
+
+void fill(const Member& node, json& value) {
+  if (!value.is_object() || node.members.empty()) return;
+  auto& object = value.get_ref<json::object_t&>();
+  walk_together(node, object, [&](const Member& child, auto& at, bool is_there) {
+    if (!is_there && !child.standard) return;
+    if (!is_there) at = object.emplace_hint(at, child.key, *child.standard);
+    fill(child, at->second);
+  });
+}
+
+json without(const Member& node, const json& value) {
+  if (!value.is_object() || node.members.empty()) return value;
+  const auto& object = value.get_ref<const json::object_t&>();
+  json kept = json::object();
+  const auto keep = [&](const Member& child, const json& member) {
+    json rest = without(child, member);
+    if (!child.dropped || !(rest == *child.dropped)) kept.emplace(child.key, std::move(rest));
+  };
+  walk_together(node, object, [&](const Member& child, auto& at, bool is_there) {
+    if (is_there || child.standard) keep(child, is_there ? at->second : *child.standard);
+  });
+  for (const auto& [key, member] : object) {
+    if (!described(node, key)) kept.emplace(key, member);
+  }
+  return kept;
+}
+
 bool has_deeper(const std::set<std::string>& places, const std::string& at) {
   const auto next = places.lower_bound(at + "/");
   return next != places.end() && next->starts_with(at + "/");
@@ -90,6 +157,7 @@ bool has_deeper(const std::set<std::string>& places, const std::string& at) {
 
 struct JsonSchema::Compiled {
   valijson::Schema schema;
+  Member root;
 };
 
 JsonSchema::JsonSchema(std::string_view text, const std::map<std::string, std::string_view>& others)
@@ -101,6 +169,7 @@ JsonSchema::JsonSchema(std::string_view text, const std::map<std::string, std::s
   auto compiled = std::make_shared<Compiled>();
   valijson::SchemaParser parser;
   parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_), compiled->schema);
+  compiled->root = member_of("", schema_);
   compiled_ = std::move(compiled);
 }
 
@@ -132,28 +201,13 @@ std::vector<Mistake> JsonSchema::mistakes(const json& document) const {
   return found;
 }
 
-void JsonSchema::fill_defaults(json& document) const {
-  const auto fill = [](const auto& self, const json& node, json& value) -> void {
-    if (!value.is_object() || !node.contains("properties")) return;
-    for (const auto& [key, child] : node.at("properties").items()) {
-      if (!value.contains(key) && child.contains("default")) value[key] = child.at("default");
-      if (value.contains(key)) self(self, child, value[key]);
-    }
-  };
-  fill(fill, schema_, document);
-}
+void JsonSchema::fill_defaults(json& document) const { fill(compiled_->root, document); }
 
-void JsonSchema::drop_defaults(json& document) const {
-  const auto drop = [](const auto& self, const json& node, json& value) -> void {
-    if (!value.is_object() || !node.contains("properties")) return;
-    for (const auto& [key, child] : node.at("properties").items()) {
-      if (!value.contains(key)) continue;
-      self(self, child, value[key]);
-      const char* const dropped = child.contains("identity_default") ? "identity_default" : "default";
-      if (child.contains(dropped) && value[key] == child.at(dropped)) value.erase(key);
-    }
-  };
-  drop(drop, schema_, document);
+json JsonSchema::without_defaults(const json& document) const { return without(compiled_->root, document); }
+
+json JsonSchema::member_without_defaults(const std::string& key, const json& value) const {
+  const Member* const member = described(compiled_->root, key);
+  return member ? without(*member, value) : value;
 }
 
 const json* JsonSchema::part(const Pointer& pointer) const {

@@ -26,9 +26,13 @@ class JsonSchema {
   /// a default. Members of the wrong type are left as they are.
   void fill_defaults(nlohmann::json& document) const;
 
-  /// The opposite: removes every member that equals its default, also where objects thereby become empty. A
-  /// node whose default has changed names the first one as "identity_default"; that is what is dropped.
-  void drop_defaults(nlohmann::json& document) const;
+  /// The opposite: a document without the members that equal their default, whether written or left out, also
+  /// where objects thereby become empty. A node whose default has changed names the first one as
+  /// "identity_default"; that is what is dropped.
+  [[nodiscard]] nlohmann::json without_defaults(const nlohmann::json& document) const;
+  /// The same of what stands under this key of a document.
+  [[nodiscard]] nlohmann::json member_without_defaults(const std::string& key,
+                                                       const nlohmann::json& value) const;
 
   /// The schema of one part, by the pointer it would have in a document: "/physics/grid"; null when there is
   /// none.

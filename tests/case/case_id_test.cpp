@@ -84,7 +84,7 @@ TEST(CaseId, OnlyWhatDiffersFromTheDefaultIsHashed) {
                            {"stiffness", "explicit"}});  // the first defaults
   json whole = {{"physics", physics}};
   case_schema().fill_defaults(whole);
-  case_schema().drop_defaults(whole);
+  whole = case_schema().without_defaults(whole);
   EXPECT_EQ(
       canonical_text(whole.at("physics")),
       R"({"flow":"elastic_wall","grid":{"nx":32,"ny_fluid":32,"ny_solid":8,"nz":16},"solid":{"G":0.5}})");

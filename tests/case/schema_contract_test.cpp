@@ -102,6 +102,39 @@ TEST(SchemaContract, PhysicsIsIdentityMemberByMember) {
   }
 }
 
+void expect_judged_alone(const json& node, const std::string& at) {
+  const std::set<std::string> known = {"$schema",
+                                       "$id",
+                                       "title",
+                                       "description",
+                                       "unit",
+                                       "type",
+                                       "enum",
+                                       "const",
+                                       "default",
+                                       "minimum",
+                                       "maximum",
+                                       "pattern",
+                                       "properties",
+                                       "required",
+                                       "maxLength",
+                                       "minLength",
+                                       "identity_default",
+                                       "exclusiveMinimum",
+                                       "additionalProperties"};
+  for (const auto& [word, unused] : node.items()) EXPECT_TRUE(known.contains(word)) << at << ": " << word;
+  const json required = node.value("required", json::array());
+  const json members = node.value("properties", json::object());
+  for (const auto& name : required)
+    EXPECT_FALSE(members.at(name.get<std::string>()).contains("default")) << at << "/" << name;
+  for (const auto& [name, child] : members.items()) expect_judged_alone(child, at + "/" + name);
+}
+
+/// The campaign manager checks only the values in which a case differs from a sound one, and documents with
+/// their defaults filled in. Both would be wrong if one member decided about another, or if a required member
+/// had a default.
+TEST(SchemaContract, EveryMemberIsJudgedAlone) { expect_judged_alone(*case_schema().part(Pointer()), ""); }
+
 TEST(SchemaContract, EveryParameterIsDescribedOrSpeaksForItself) {
   for (const auto& pointer : schema_leaves()) {
     const json& node = *case_schema().part(Pointer(pointer));

@@ -16,8 +16,8 @@ import time
 SOFTWALL, STUB = (str(pathlib.Path(path).resolve()) for path in sys.argv[1:3])
 CASES = int(sys.argv[3]) if len(sys.argv) > 3 else 2000
 NO_OP_CASES = 500
-NO_OP_BOUND = 50e-3  # of the manager, a case
-STATUS_BOUND, NOTHING_TO_DO_BOUND = 3.0, 8.0  # of 10,000 cases
+NO_OP_BOUND = 20e-3  # of the manager, a case
+STATUS_BOUND, NOTHING_TO_DO_BOUND = 1.5, 4.0  # of 10,000 cases
 
 
 def campaign(cases):

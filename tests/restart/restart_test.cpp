@@ -132,6 +132,25 @@ TEST_P(Restart, AfterKillsAtAnyMoment) {
   expect_same_results(run, *whole);
 }
 
+/// The driving gradient of the last step, which the next step's length follows, is in the checkpoint.
+TEST(RestartOfAdaptiveSteps, TakesTheSameOnesWhereAccuracyLimitsThem) {
+  const auto adaptive = [](int steps) {
+    json c = reference_map_case(steps);
+    c["physics"]["time_step"].erase("fixed_dt");
+    c["physics"]["solid"]["dt_plus"] = 0.02;
+    return c;
+  };
+  const SolverRun whole(adaptive(40)), stopped(adaptive(20));
+  ASSERT_EQ(whole.run(2).code, 0);
+  EXPECT_EQ(json::parse(contents(whole.files().status())).at("dt_limit"), "accuracy");
+  ASSERT_EQ(stopped.run(2).code, 0);
+  const auto first = stopped.summary().at("step");
+  stopped.write_case(adaptive(40));
+  ASSERT_EQ(stopped.run(2).code, 0);
+  EXPECT_GT(stopped.summary().at("step"), first);
+  expect_same_results(stopped, whole);
+}
+
 /// Largest difference of a field between two checkpoints of one grid.
 double difference(const fs::path& a, const fs::path& b, const std::string& field) {
   const output::CheckpointFile first(a), second(b);

@@ -294,6 +294,21 @@ TEST(Expand, MistakesOfSomeCasesNameThem) {
   EXPECT_NE(message.find("/physics/solid/G: \"soft\""), std::string::npos) << message;
 }
 
+/// Only the values that differ are looked at once a case has been found sound.
+TEST(Expand, AMistakeAfterASoundCaseIsFoundToo) {
+  json document = elastic_campaign();
+  document["sweep"] =
+      json::parse(R"({"grid": {"G": [1, 2, -3, "soft", 4]}, "list": [{"G": 5, "ny_solid": 2}]})");
+  try {
+    static_cast<void>(campaign_of(document));
+    FAIL() << "accepted";
+  } catch (const BadInput& error) {
+    std::string found;
+    for (const Mistake& mistake : error.mistakes) found += mistake.where + ": " + mistake.given + "\n";
+    EXPECT_EQ(found, "/physics/solid/G: -3\n/physics/solid/G: \"soft\"\n/physics/grid/ny_solid: 2\n");
+  }
+}
+
 /// The expansion must end within the time that ctest allows. With sanitizers there are fewer cases.
 TEST(Expand, ManyCasesTakeLittleTime) {
 #ifdef __SANITIZE_ADDRESS__

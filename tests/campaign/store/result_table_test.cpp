@@ -42,6 +42,13 @@ TEST(PrintableLines, KeepOnlyTheirLineBreaks) {
   EXPECT_EQ(printable_lines("one\n\033[31mtwo\n"), "one\n\\x1b[31mtwo\n");
 }
 
+TEST(VerticalTable, HasALineForEachValue) {
+  const ResultTable table = {{"label", "re_tau"},
+                             {{Cell("G=1"), Cell(179.5)}, {Cell("G=2\n"), Cell(std::monostate{})}}};
+  EXPECT_EQ(written(table, TableFormat::kVertical),
+            "label   G=1\nre_tau  179.5\n\nlabel   G=2\\n\nre_tau  -\n");
+}
+
 TEST(TextTable, AlignsNumbersRightAndTextLeft) {
   const ResultTable table = {{"label", "value"},
                              {{Cell("a"), Cell(1234.5678)},

@@ -45,6 +45,16 @@ TEST_F(WorkMarksTest, FindsExactlyTheProcessesOfARunDirectory) {
   EXPECT_EQ(wait_for_work(directory_), std::vector<pid_t>{ours.pid()});
 }
 
+TEST_F(WorkMarksTest, LooksIntoChosenSessionsOnly) {
+  const test::ChildProcess ours(worker(directory_)), neighbour(worker(directory_.string() + "2"));
+  ASSERT_EQ(wait_for_work(directory_), std::vector<pid_t>{ours.pid()});
+  ASSERT_EQ(wait_for_work(directory_.string() + "2"), std::vector<pid_t>{neighbour.pid()});
+  const auto work = ProcessesAtWork::look_in({ours.pid()});
+  EXPECT_EQ(work.in(directory_), std::vector<pid_t>{ours.pid()});
+  EXPECT_TRUE(work.in(directory_.string() + "2").empty());
+  EXPECT_TRUE(ProcessesAtWork::look_in({}).nobody());
+}
+
 TEST_F(WorkMarksTest, APersonsProcessWithTheSameVariablesIsNotTaken) {
   const test::ChildProcess ours(worker(directory_));
   ASSERT_EQ(wait_for_work(directory_), std::vector<pid_t>{ours.pid()});
