@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
@@ -12,6 +13,7 @@
 #include "campaign/observe/ladder.hpp"
 #include "campaign/store/import_results.hpp"
 #include "campaign/store/store_schema.hpp"
+#include "solver/run_directory/build_info.hpp"
 #include "solver/run_directory/statistics_file.hpp"
 
 namespace softwall::campaign {
@@ -43,17 +45,28 @@ constexpr const char* kColumns =
 constexpr const char* kDocumentation =
     "SELECT object, column_name, unit, meaning FROM documentation ORDER BY object, column_name";
 
-bool same_cell(const Statement& a, const Statement& b, int column) {
+/// How far a number may be from the one expected. The same program gives the same bits; one of another
+/// revision, perhaps built for another processor, agrees to round-off.
+enum class Agreement { kBits, kRoundOff };
+
+bool same_number(double a, double b, Agreement agreement) {
+  constexpr double kRelative = 1e-9, kAbsolute = 1e-12;
+  if (agreement == Agreement::kBits) return a == b;
+  return std::abs(a - b) <= kAbsolute + kRelative * std::abs(b);
+}
+
+bool same_cell(const Statement& a, const Statement& b, int column, Agreement agreement) {
   if (a.type(column) != b.type(column)) return false;
-  return a.type(column) == SQLITE_FLOAT ? a.real(column) == b.real(column) : a.text(column) == b.text(column);
+  return a.type(column) == SQLITE_FLOAT ? same_number(a.real(column), b.real(column), agreement)
+                                        : a.text(column) == b.text(column);
 }
 
 /// The first column in which two answers to one question differ; empty: none.
-std::string first_difference(Statement a, Statement b) {
+std::string first_difference(Statement a, Statement b, Agreement agreement = Agreement::kBits) {
   while (a.step()) {
     if (!b.step()) return "number of rows";
     for (int column = 0; column < a.columns(); ++column)
-      if (!same_cell(a, b, column)) return a.column_name(column);
+      if (!same_cell(a, b, column, agreement)) return a.column_name(column);
   }
   return b.step() ? "number of rows" : "";
 }
@@ -161,6 +174,8 @@ std::string StoreCheck::difference_in_result(const CampaignCase& one, const RunF
   const std::string& id = one.definition.id;
   Statement origins = store_.connection().query(kOriginsOfResult, id);
   if (!origins.step()) return "";  // there is no result
+  const auto agreement =
+      origins.text(5) == build_info().git_revision ? Agreement::kBits : Agreement::kRoundOff;
   if (origins.step()) return "the rows of its result do not agree about where it is from";
   const auto origin = store_.result_origin(id);
   if (!origin || origin->analysis_version != analysis::kAnalysisVersion) return "";
@@ -173,8 +188,8 @@ std::string StoreCheck::difference_in_result(const CampaignCase& one, const RunF
   } catch (const std::runtime_error&) {
     return "";  // others tell what is wrong with the statistics
   }
-  const std::string found =
-      first_difference(store_.connection().query(kResult, id), expected_.connection().query(kResult, id));
+  const std::string found = first_difference(store_.connection().query(kResult, id),
+                                             expected_.connection().query(kResult, id), agreement);
   return found.empty() ? "" : "the store has another " + found + " of a quantity than its statistics give";
 }
 
