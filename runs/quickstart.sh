@@ -52,7 +52,8 @@ Everything is in runs/quickstart/: results.db (SQLite), cases/ (a folder a case)
   softwall export runs/quickstart --csv -o results.csv
   softwall table runs/quickstart --from 60         # averages over another window; nothing is computed
   softwall plan runs/rosti-brandt-2017/coarse      # what the paper's cases would cost here
-Figures (Debian's python3-numpy python3-h5py python3-matplotlib; runs/quickstart/example.png shows the first):
-  /usr/bin/python3 analysis/plot_friction.py runs/quickstart
+Figures, and one page of it all (Debian's python3-numpy python3-h5py python3-matplotlib):
+  softwall figures runs/quickstart                 # runs/quickstart/example.png shows one of them
+  softwall report runs/quickstart
 Change runs/quickstart/campaign.json, run it again: only what is new is computed.
 END
