@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
@@ -13,6 +15,7 @@
 #include "campaign/observe/ladder.hpp"
 #include "campaign/store/import_results.hpp"
 #include "campaign/store/store_schema.hpp"
+#include "solver/case/case_schema.hpp"
 #include "solver/run_directory/build_info.hpp"
 #include "solver/run_directory/statistics_file.hpp"
 
@@ -21,13 +24,15 @@ namespace {
 
 /// What follows from the id of a case, whatever the campaign file says now.
 constexpr const char* kPhysicsOfCase =
-    "SELECT flow, G, viscosity_ratio, reynolds, grid, cells, physics, stale = (stale_reason <> '') AS stale"
+    "SELECT flow, G, viscosity_ratio, reynolds, grid, cells, stale = (stale_reason <> '') AS stale"
     " FROM cases WHERE case_id = ?";
 
 /// What the campaign file says of it.
 constexpr const char* kPlanOfCase =
-    "SELECT label, directory, is_precursor, precursor_id, end_time, ranks, run, varied, in_campaign"
+    "SELECT label, directory, is_precursor, precursor_id, end_time, ranks, varied, in_campaign"
     " FROM cases WHERE case_id = ?";
+
+constexpr const char* kDocumentsOfCase = "SELECT physics, run FROM cases WHERE case_id = ?";
 
 constexpr const char* kResult =
     "SELECT quantity, value, ci95, window_start, window_end, blocks, note, analysis_version FROM quantities"
@@ -44,6 +49,16 @@ constexpr const char* kColumns =
     " FROM sqlite_schema t JOIN pragma_table_xinfo(t.name) c WHERE t.type = 'table' ORDER BY t.name, c.name";
 constexpr const char* kDocumentation =
     "SELECT object, column_name, unit, meaning FROM documentation ORDER BY object, column_name";
+
+/// One of the two documents of a case in the store, with the defaults of members that its writer did not
+/// know; null where it is no JSON any more.
+nlohmann::json document_in(const Statement& row, int column, const char* name) {
+  nlohmann::json written = nlohmann::json::parse(row.text(column), nullptr, false);
+  if (written.is_discarded()) return nullptr;
+  nlohmann::json document = {{name, std::move(written)}};
+  case_schema().fill_defaults(document);
+  return document.at(name);
+}
 
 /// How far a number may be from the one expected. The same program gives the same bits; one of another
 /// revision, perhaps built for another processor, agrees to round-off.
@@ -131,7 +146,10 @@ std::string StoreCheck::trouble_with_words() {
 
 std::string StoreCheck::trouble_with_case(const CampaignCase& one, const RunFiles& run) {
   const std::string& id = one.definition.id;
-  if (!store_.find_case(id)) return same_campaign_ ? "has no row in the store" : "";
+  if (!store_.find_case(id)) {
+    const bool has_begun = std::filesystem::exists(run.directory);
+    return same_campaign_ && has_begun ? "has no row in the store" : "";
+  }
   if (auto found = difference_in_case_row(id); !found.empty()) return found;
   if (!store_.open_attempts(id).empty()) return "";  // its end is recorded by the next run
   if (auto found = difference_in_attempts(id, run); !found.empty()) return found;
@@ -146,7 +164,19 @@ std::string StoreCheck::difference_in_case_row(const std::string& case_id) {
   };
   std::string found = difference(kPhysicsOfCase);
   if (found.empty() && same_campaign_) found = difference(kPlanOfCase);
+  if (found.empty()) found = difference_in_documents(case_id);
   return found.empty() ? "" : "the store has another " + found + " than the campaign file gives";
+}
+
+/// Which of the documents of a case differs: what it is, and, of the same campaign, how it is run. An earlier
+/// version wrote them without the members that came later.
+std::string StoreCheck::difference_in_documents(const std::string& case_id) {
+  Statement stored = store_.connection().query(kDocumentsOfCase, case_id),
+            given = expected_.connection().query(kDocumentsOfCase, case_id);
+  if (!stored.step() || !given.step()) return "number of rows";
+  if (document_in(stored, 0, "physics") != document_in(given, 0, "physics")) return "physics";
+  if (same_campaign_ && document_in(stored, 1, "run") != document_in(given, 1, "run")) return "run";
+  return "";
 }
 
 /// A run directory of an earlier version knows the newest attempt only, and others compare that one.
