@@ -33,7 +33,7 @@ class Golden(unittest.TestCase):
             with self.subTest(folder.name):
                 copy = Copy(folder)
                 self.addCleanup(copy.remove)
-                # Its own results first: those of a program built for another processor differ in the last digit.
+                copy.softwall("verify")  # as an earlier program left it
                 copy.softwall("rebuild")
                 copy.softwall("verify")
 
