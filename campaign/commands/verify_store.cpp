@@ -29,14 +29,19 @@ constexpr const char* kPhysicsOfCase =
 
 /// What the campaign file says of it.
 constexpr const char* kPlanOfCase =
-    "SELECT label, directory, is_precursor, precursor_id, end_time, ranks, varied, in_campaign"
+    "SELECT label, directory, is_precursor, precursor_id, end_time, ranks, in_campaign"
     " FROM cases WHERE case_id = ?";
 
-constexpr const char* kDocumentsOfCase = "SELECT physics, run FROM cases WHERE case_id = ?";
+constexpr const char* kDocumentsOfCase = "SELECT physics, run, varied FROM cases WHERE case_id = ?";
 
 constexpr const char* kResult =
-    "SELECT quantity, value, ci95, window_start, window_end, blocks, note, analysis_version FROM quantities"
+    "SELECT quantity, value, ci95, window_start, window_end, blocks, analysis_version, note FROM quantities"
     " WHERE case_id = ? ORDER BY quantity";
+
+/// The same without the note, whose words may change with the program.
+constexpr const char* kQuantity =
+    "SELECT quantity, value, ci95, window_start, window_end, blocks, analysis_version FROM quantities"
+    " WHERE case_id = ? AND quantity = ?";
 
 /// One result is one row a quantity, each with its origin: all of them tell the same.
 constexpr const char* kOriginsOfResult =
@@ -175,6 +180,8 @@ std::string StoreCheck::difference_in_documents(const std::string& case_id) {
             given = expected_.connection().query(kDocumentsOfCase, case_id);
   if (!stored.step() || !given.step()) return "number of rows";
   if (document_in(stored, 0, "physics") != document_in(given, 0, "physics")) return "physics";
+  const bool knows_what_varied = stored.text(2) != "{}";  // a store of the first format does not
+  if (same_campaign_ && knows_what_varied && stored.text(2) != given.text(2)) return "varied";
   if (same_campaign_ && document_in(stored, 1, "run") != document_in(given, 1, "run")) return "run";
   return "";
 }
@@ -204,8 +211,7 @@ std::string StoreCheck::difference_in_result(const CampaignCase& one, const RunF
   const std::string& id = one.definition.id;
   Statement origins = store_.connection().query(kOriginsOfResult, id);
   if (!origins.step()) return "";  // there is no result
-  const auto agreement =
-      origins.text(5) == build_info().git_revision ? Agreement::kBits : Agreement::kRoundOff;
+  const bool same_program = origins.text(5) == build_info().git_revision;
   if (origins.step()) return "the rows of its result do not agree about where it is from";
   const auto origin = store_.result_origin(id);
   if (!origin || origin->analysis_version != analysis::kAnalysisVersion) return "";
@@ -218,9 +224,23 @@ std::string StoreCheck::difference_in_result(const CampaignCase& one, const RunF
   } catch (const std::runtime_error&) {
     return "";  // others tell what is wrong with the statistics
   }
-  const std::string found = first_difference(store_.connection().query(kResult, id),
-                                             expected_.connection().query(kResult, id), agreement);
+  const std::string found = same_program ? first_difference(store_.connection().query(kResult, id),
+                                                            expected_.connection().query(kResult, id))
+                                         : difference_in_quantities(id);
   return found.empty() ? "" : "the store has another " + found + " of a quantity than its statistics give";
+}
+
+/// An earlier program knew fewer quantities: those that it recorded.
+std::string StoreCheck::difference_in_quantities(const std::string& case_id) {
+  Statement names = store_.connection().query("SELECT quantity FROM quantities WHERE case_id = ?", case_id);
+  while (names.step()) {
+    const std::string name = names.text(0);
+    const std::string found =
+        first_difference(store_.connection().query(kQuantity, case_id, name),
+                         expected_.connection().query(kQuantity, case_id, name), Agreement::kRoundOff);
+    if (!found.empty()) return found;
+  }
+  return "";
 }
 
 }  // namespace softwall::campaign

@@ -28,6 +28,7 @@ class StoreCheck {
   [[nodiscard]] std::string difference_in_documents(const std::string& case_id);
   [[nodiscard]] std::string difference_in_attempts(const std::string& case_id, const RunFiles& run) const;
   [[nodiscard]] std::string difference_in_checkpoints(const std::string& case_id, const RunFiles& run);
+  [[nodiscard]] std::string difference_in_quantities(const std::string& case_id);
   [[nodiscard]] std::string difference_in_result(const CampaignCase& one, const RunFiles& run);
 
   Store& store_;
