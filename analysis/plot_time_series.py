@@ -2,9 +2,9 @@
 """Friction Reynolds numbers of both walls and the deformation of the interface block by block, from t = 0 on, so that the
 transient and the averaging window can be judged by eye."""
 
-import numpy as np
-
 from campaign_data import SeriesCase, arguments, caption, plt, read_campaign, save
+
+import numpy as np
 
 
 def walls(case, series):

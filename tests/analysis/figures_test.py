@@ -178,7 +178,8 @@ class Figures(unittest.TestCase):
 
     def test_missing_packages_are_named_in_one_line(self):
         """Also for --help; by an interpreter that finds no package at all (-S: no site-packages)."""
-        for script in [*ALL_SCRIPTS, ROOT / "analysis" / "linear_stability.py"]:
+        others = [ROOT / "analysis" / name for name in ("linear_stability.py", "figures.py", "report.py")]
+        for script in [*ALL_SCRIPTS, *others]:
             with self.subTest(script.name):
                 done = subprocess.run([sys.executable, "-S", script, "--help"], capture_output=True, text=True)
                 self.assertEqual((done.returncode, done.stdout), (1, ""))
