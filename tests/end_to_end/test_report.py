@@ -61,9 +61,9 @@ class Reports(EndToEndTest):
         runner = campaign.start()
         campaign.wait_for_checkpoint("G=1_mu=1")
         page = self.report(campaign, "-o", str(campaign.folder / "so far.html"))
-        self.assertIn("running", page.text)
         campaign.kill_all(runner)
-        self.assertIn("1 of 4 cases finished", self.report(campaign).text)
+        for words in ("running", "1 of 4 cases finished"):
+            self.assertIn(words, page.text)
 
     def test_a_campaign_that_never_ran_is_refused(self):
         campaign = self.campaign()
