@@ -29,6 +29,11 @@ void expect_independent_of_ranks(const Physics& p, const Begin& begin) {
   }
 }
 
+void expect_both_formulations_independent_of_ranks(const Physics& p) {
+  for (const auto formulation : support::kBothFormulations)
+    expect_independent_of_ranks(support::formulated(p, formulation), support::smooth_state);
+}
+
 TEST(Ranks, RigidChannelIsTheSame) {
   Physics p = support::rigid_channel({13, 12, 0, 14});
   p.grid.stretching = 1.3;
@@ -40,18 +45,14 @@ TEST(Ranks, ElasticChannelIsTheSame) {
   Physics p = support::elastic_channel({13, 12, 6, 14});
   p.reynolds = 500;
   p.solid->viscosity_ratio = 3;
-  for (const auto formulation : support::kBothFormulations) {
-    expect_independent_of_ranks(support::formulated(p, formulation), support::smooth_state);
-  }
+  expect_both_formulations_independent_of_ranks(p);
 }
 
 TEST(Ranks, ElasticChannelWithAMooneyRivlinWallIsTheSame) {
   Physics p = support::elastic_channel({13, 12, 6, 14});
   p.reynolds = 500;
   p.solid->mooney_share = 0.5;
-  for (const auto formulation : support::kBothFormulations) {
-    expect_independent_of_ranks(support::formulated(p, formulation), support::smooth_state);
-  }
+  expect_both_formulations_independent_of_ranks(p);
 }
 
 TEST(Ranks, ElasticChannelWithASharpInterfaceIsTheSame) {
