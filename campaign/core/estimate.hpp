@@ -5,8 +5,8 @@
 /// What a case would cost, before it has run: for `softwall plan` and for the first ETA.
 namespace softwall::campaign {
 
-/// The step limits at typical turbulent velocities, h/U_b, safety included; infinite where there is none. The
-/// smallest binds.
+/// The step limits at typical turbulent velocities, h/U_b, those of stability with the safety factor;
+/// infinite where there is none. The smallest binds.
 struct StepLimits {
   double advection = 0.0, viscosity = 0.0, elastic = 0.0, accuracy = 0.0;
   [[nodiscard]] double smallest() const;

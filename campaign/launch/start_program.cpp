@@ -38,9 +38,8 @@ struct ChildSetup {
   const char* folder;
   char* const* arguments;
   char* const* environment;
-  char* session;        ///< room for the digits of kSessionVariable in the environment
-  int error = 0;        ///< told by the child: why it could not become the program
-  bool failed = false;  ///< told by the child
+  char* session;  ///< room for the digits of kSessionVariable in the environment
+  int error = 0;  ///< told by the child: why it could not become the program; 0: it has
 };
 
 /// Uses no memory from the heap, because the child must not ask for any.
@@ -61,7 +60,6 @@ int become_program(void* given) {
   dup2(setup.output, STDERR_FILENO);
   if (chdir(setup.folder) == 0) execve(setup.arguments[0], setup.arguments, setup.environment);
   setup.error = errno;
-  setup.failed = true;
   _exit(127);
 }
 
@@ -102,7 +100,7 @@ pid_t start_program(ProgramStart start) {
                    .environment = environment.data(),
                    .session = session.data() + session.size() - kSessionDigits};
   const pid_t child = start_child(setup);
-  if (setup.failed) {
+  if (setup.error != 0) {
     waitpid(child, nullptr, 0);
     throw_errno("cannot start " + start.arguments[0], setup.error);
   }
