@@ -65,6 +65,11 @@ bool is_alive(const ProcessIdentity& process) {
   return state && state->letter != 'Z' && state->start_ticks == process.start_ticks;
 }
 
+bool has_ended(pid_t pid) {
+  const auto state = read_state(pid);
+  return !state || state->letter == 'Z';
+}
+
 pid_t parent_of(pid_t pid) {
   const auto state = read_state(pid);
   return state ? state->parent : 0;

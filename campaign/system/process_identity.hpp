@@ -27,6 +27,9 @@ struct ProcessIdentity {
 /// a later process with the same number, and for one that has ended but was not yet waited for.
 [[nodiscard]] bool is_alive(const ProcessIdentity& process);
 
+/// True also for a process that was not yet waited for.
+[[nodiscard]] bool has_ended(pid_t pid);
+
 /// 0 when there is no such process.
 [[nodiscard]] pid_t parent_of(pid_t pid);
 

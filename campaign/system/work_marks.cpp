@@ -1,22 +1,46 @@
 #include "campaign/system/work_marks.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <fstream>
 #include <optional>
 #include <sstream>
 #include <string_view>
+#include <thread>
+
+#include "campaign/system/process_identity.hpp"
 
 namespace softwall::campaign {
 namespace {
 
-std::string environment_of(pid_t pid) {
+std::string environment_now(pid_t pid) {
   std::ifstream in("/proc/" + std::to_string(pid) + "/environ", std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
+}
+
+bool is_own(pid_t pid) {
+  struct stat status {};
+  return stat(("/proc/" + std::to_string(pid)).c_str(), &status) == 0 && status.st_uid == geteuid();
+}
+
+/// The environment of a process of this user, or nothing once it has ended. While a process becomes another
+/// program it has none for a moment. That moment is waited for, because the process may be a rank. (A thread
+/// of the kernel has none either, and no session.)
+std::string environment_of(pid_t pid) {
+  constexpr int kMostTries = 20;
+  std::string environment = environment_now(pid);
+  for (int tries = 1; environment.empty() && tries < kMostTries; ++tries) {
+    if (getsid(pid) <= 0 || !is_own(pid) || has_ended(pid)) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    environment = environment_now(pid);
+  }
+  return environment;
 }
 
 std::optional<pid_t> number_in(std::string_view text) {

@@ -14,13 +14,17 @@
 namespace softwall::campaign {
 namespace {
 
+constexpr const char* kWait = "exec sleep 60";
+constexpr const char* kBecomeItself = "exec /bin/sh -c \"$0\" \"$0\"";  // again and again
+
 /// A process whose environment, given at exec, names a run directory and a session; 0: the one it leads.
-std::function<int()> worker(const std::string& run_directory, pid_t session = 0) {
-  return [run_directory, session] {
+std::function<int()> worker(const std::string& run_directory, pid_t session = 0,
+                            const char* command = kWait) {
+  return [run_directory, session, command] {
     if (session == 0) setsid();
     setenv(kRunDirectoryVariable, run_directory.c_str(), 1);
     setenv(kSessionVariable, std::to_string(session == 0 ? getpid() : session).c_str(), 1);
-    execl("/bin/sleep", "sleep", "60", nullptr);
+    execl("/bin/sh", "sh", "-c", command, command, nullptr);
     return 127;
   };
 }
@@ -53,6 +57,14 @@ TEST_F(WorkMarksTest, LooksIntoChosenSessionsOnly) {
   EXPECT_EQ(work.in(directory_), std::vector<pid_t>{ours.pid()});
   EXPECT_TRUE(work.in(directory_.string() + "2").empty());
   EXPECT_TRUE(ProcessesAtWork::look_in({}).nobody());
+}
+
+/// While it does, it has no environment for a moment.
+TEST_F(WorkMarksTest, AProcessThatBecomesAnotherProgramIsFound) {
+  const test::ChildProcess ours(worker(directory_, 0, kBecomeItself));
+  ASSERT_EQ(wait_for_work(directory_), std::vector<pid_t>{ours.pid()});
+  for (int i = 0; i < 1000; ++i)
+    ASSERT_EQ(ProcessesAtWork::look_in({ours.pid()}).in(directory_), std::vector<pid_t>{ours.pid()}) << i;
 }
 
 TEST_F(WorkMarksTest, APersonsProcessWithTheSameVariablesIsNotTaken) {
