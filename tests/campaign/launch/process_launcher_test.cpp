@@ -109,6 +109,8 @@ TEST_F(ProcessLauncherTest, ALogDoesNotGrowWithoutBoundWhileItIsWritten) {
   const auto what = request();
   const auto file = RunFiles{what.run_directory}.log();
   (void)launcher.start(what);
+  ASSERT_TRUE(wait_until(
+      [&] { return std::filesystem::exists(file) && std::filesystem::file_size(file) == 17000000U; }));
   const bool made_room = wait_until([&] {
     (void)launcher.collect();
     return std::filesystem::exists(file.string() + ".old") && std::filesystem::file_size(file) == 0;
