@@ -10,7 +10,6 @@ import html
 import io
 import json
 import pathlib
-import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -51,17 +50,17 @@ def table(head, rows):
     return "".join([*lines, "</tbody></table></div>"])
 
 
-def rows_of(campaign, sql):
-    with sqlite3.connect(f"{(campaign / 'results.db').resolve().as_uri()}?mode=ro", uri=True) as store:
-        store.row_factory = sqlite3.Row
-        return [dict(row) for row in store.execute(sql)]
+class Softwall:
+    """What softwall says of a campaign, by its folder or its file."""
 
+    def __init__(self, program, path):
+        self.program, self.path = program, str(path)
 
-def asked(softwall, *words):
-    done = subprocess.run([softwall, *words], capture_output=True, text=True)
-    if done.returncode != 0:
-        raise SystemExit(done.stderr.strip())
-    return json.loads(done.stdout)
+    def ask(self, command, *words):
+        done = subprocess.run([self.program, command, self.path, *words, "--json"], capture_output=True, text=True)
+        if done.returncode != 0:
+            raise SystemExit(done.stderr.strip())
+        return json.loads(done.stdout)
 
 
 def verdict(row):
@@ -138,11 +137,11 @@ def figures_section(campaign, start):
     return "".join(parts)
 
 
-def health_section(campaign):
+def health_section(softwall):
     """The last reported state of each solid."""
     names = ("interface_width_cells", "max_det_error", "limited_cells", "solid_fraction_drift", "max_divergence")
     found = {}
-    for row in rows_of(campaign, "SELECT c.label, d.name, d.value FROM diagnostics d JOIN cases c USING (case_id)"
+    for row in softwall.ask("query", "SELECT c.label, d.name, d.value FROM diagnostics d JOIN cases c USING (case_id)"
                                  " WHERE c.in_campaign ORDER BY c.rowid, d.attempt"):
         found.setdefault(row["label"], {})[row["name"]] = row["value"]
     rows = [(html.escape(label), *("" if values.get(name) is None else f"{values[name]:.3g}" for name in names))
@@ -152,8 +151,8 @@ def health_section(campaign):
     return "<h2>Health of the solutions</h2><p>As the last attempt left them.</p>" + table(words, rows)
 
 
-def provenance_section(campaign):
-    rows = rows_of(campaign, "SELECT c.label, a.attempt, a.host, a.ranks, a.started, a.ended, a.outcome, a.reason, a.version,"
+def provenance_section(softwall):
+    rows = softwall.ask("query", "SELECT c.label, a.attempt, a.host, a.ranks, a.started, a.ended, a.outcome, a.reason, a.version,"
                              " a.git_revision, a.compiler FROM attempts a JOIN cases c USING (case_id)"
                              " WHERE c.in_campaign ORDER BY a.intended")
     cells = [[html.escape("" if value is None else str(value)) for value in row.values()] for row in rows]
@@ -163,10 +162,10 @@ def provenance_section(campaign):
 
 def page(campaign, softwall, start):
     given = () if start is None else ("--from", repr(start))
-    status = asked(softwall, "status", str(campaign), "--json")
-    compared = asked(softwall, "table", str(campaign), "--json", *given)
-    results = asked(softwall, "query", str(campaign), "SELECT * FROM results", "--json", *given)
-    definition = json.loads((campaign / "campaign.json").read_text())
+    status = softwall.ask("status")
+    compared = softwall.ask("table", *given)
+    results = softwall.ask("query", "SELECT * FROM results", *given)
+    definition = json.loads(softwall.ask("query", "SELECT spec FROM campaign")[0]["spec"])
     name = html.escape(status["campaign"])
     finished = sum(one["state"] == "finished" for one in status["cases"])
     hours = sum(row["core_hours"] or 0 for row in results)
@@ -175,7 +174,7 @@ def page(campaign, softwall, start):
             f"<title>{name}</title><style>{STYLE}</style><h1>{name}</h1><p>{html.escape(definition.get('description', ''))}</p>"
             f"<p class=summary>{finished} of {len(status['cases'])} cases finished, {hours:.3g} core-hours. Written {now}.</p>")
     return "".join((head, cases_section(status, results), results_section(results), paper_section(compared),
-                    figures_section(campaign, start), health_section(campaign), provenance_section(campaign),
+                    figures_section(campaign, start), health_section(softwall), provenance_section(softwall),
                     f"<details><summary><h2>Campaign file</h2></summary><pre>{html.escape(json.dumps(definition, indent=1))}</pre>"
                     "</details></html>\n"))
 
@@ -186,11 +185,12 @@ def main():
     parser.add_argument("-o", "--output", type=pathlib.Path, help="file to write; default: report.html in the campaign's folder")
     parser.add_argument("--from", dest="start", type=float, metavar="T", help="begin the averages at this time, h/U_b")
     parser.add_argument("--softwall", default="softwall", help="the program that is asked for tables and states")
+    parser.add_argument("--path", help="what it is asked about, where the campaign's file is not called campaign.json")
     options = parser.parse_args()
     if not (options.campaign / "results.db").exists():
         sys.exit(f"no results in {options.campaign}; run `softwall run` there first")
     output = options.output or options.campaign / "report.html"
-    text = page(options.campaign, options.softwall, options.start)
+    text = page(options.campaign, Softwall(options.softwall, options.path or options.campaign), options.start)
     whole = output.with_name(output.name + ".new")  # a reader never sees half a page
     whole.write_text(text)
     whole.replace(output)

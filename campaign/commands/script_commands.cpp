@@ -72,7 +72,7 @@ void draw_figures(const WantedResults& wanted, const FigureOptions& options) {
 
 void write_report(const WantedResults& wanted, const std::optional<fs::path>& output) {
   auto words = common_options(wanted, output);
-  words.insert(words.end(), {"--softwall", own_program()});
+  words.insert(words.end(), {"--softwall", own_program(), "--path", wanted.path});
   become_script("report.py", words);
 }
 
