@@ -8,6 +8,7 @@ import argparse
 import csv
 import functools
 import json
+import logging
 import math
 import pathlib
 import sqlite3
@@ -16,6 +17,7 @@ import sys
 import packages
 
 packages.needed("h5py", "matplotlib", "numpy")
+import batches
 import h5py
 import matplotlib
 import numpy as np
@@ -24,6 +26,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend has to be chosen first)
 
 matplotlib.rcParams["pdf.fonttype"] = 42  # fonts go into the file whole, so that text in it stays text
+logging.getLogger("fontTools").setLevel(logging.ERROR)  # it wonders about the age of matplotlib's own fonts
 
 # The paper's colours of its four moduli, as its tables print them, and those of the next powers of two. A colour goes by
 # the value, so that a case keeps its own whatever else is in the campaign.
@@ -125,6 +128,14 @@ class Case:
     def draw(self, axes, x, y, **more):
         """A line in the case's colour and style, with a dozen markers where it has any."""
         axes.plot(x, y, self.style, color=self.colour, markersize=4, markevery=max(1, len(x) // 12), **more)
+
+    def draw_profile(self, axes, profile, **more):
+        """`profile(case)`, positions and values, as a line with its 95 % interval as a band."""
+        x, values = profile(self)
+        self.draw(axes, x, values, **more)
+        width = batches.half_width(self, lambda case: profile(case)[1])
+        if width is not None:
+            axes.fill_between(x, values - width, values + width, color=self.colour, alpha=0.2, linewidth=0)
 
     def result(self, quantity):
         """A measured quantity or its interval, NAME_ci95; NaN when there is none."""
@@ -310,6 +321,11 @@ def caption(cases):
         f"to {spread(ends, one_decimal)} $h/U_b$, {spread([int((c.weight > 0).sum()) for c in cases], str)} blocks, "
         f"{spread([c.weight.sum() for c in cases], one_decimal)} $h/U_b$ sampled."
     )
+
+
+def levels_within(values, levels):
+    """Those at which these values have contours; matplotlib warns of the others."""
+    return [level for level in levels if values.min() < level < values.max()]
 
 
 def judge(name, value, bar):

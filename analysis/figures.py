@@ -13,13 +13,30 @@ import packages
 packages.needed("h5py", "matplotlib", "numpy")
 
 HERE = pathlib.Path(__file__).parent
-# In the order in which they are read; the scripts of the validation campaigns want campaigns of their own.
-SCRIPTS = ("time_series", "friction", "mean_velocity", "log_law", "fluctuations", "stress")
+# By the name of the file, in the order in which they are read: the script and what else it is told. The scripts of the
+# validation campaigns want campaigns of their own.
+FIGURES = {
+    "time_series": ("plot_time_series.py",),
+    "friction": ("plot_friction.py",),
+    "mean_velocity": ("plot_mean_velocity.py",),
+    "log_law": ("plot_log_law.py",),
+    "interface_velocity": ("plot_interface_velocity.py",),
+    "fluctuations": ("plot_fluctuations.py",),
+    "kinetic_energy": ("plot_kinetic_energy.py",),
+    "wall_surface": ("plot_wall_surface.py",),
+    "elastic_stress": ("plot_elastic_stress.py",),
+    "velocity_planes": ("plot_velocity_planes.py",),
+    "correlations_x": ("plot_correlations.py", "--axis", "x"),
+    "correlations_z": ("plot_correlations.py", "--axis", "z"),
+    "stress": ("plot_stress.py",),
+}
+PICTURES = ("wall_surface", "velocity_planes", "correlations_x", "correlations_z")  # of the flow, more than lines
 
 
 def draw(name, options, output):
-    """Runs one script as a user would. Returns why it drew nothing, or nothing."""
-    words = [str(HERE / f"plot_{name}.py"), str(options.campaign), "-o", str(output)]
+    """Runs the script of one figure as a user would. Returns why it drew nothing, or nothing."""
+    script, *more = FIGURES[name]
+    words = [str(HERE / script), str(options.campaign), *more, "-o", str(output)]
     if options.start is not None:
         words += ["--from", repr(options.start)]
     if options.no_caption:
@@ -34,13 +51,14 @@ def draw(name, options, output):
     return None
 
 
-def draw_all(options):
-    """Draws what can be drawn. Returns the files by the name of the figure, and the reasons of the others."""
+def draw_all(options, pixels=()):
+    """Draws what can be drawn, those named in `pixels` as PNG. Returns the files by the name of the figure, and the reasons
+    of the others."""
     folder = pathlib.Path(options.output or pathlib.Path(options.campaign) / "figures")
     folder.mkdir(parents=True, exist_ok=True)
     drawn, reasons = {}, {}
-    for name in SCRIPTS:
-        output = folder / f"{name}.{options.format}"
+    for name in FIGURES:
+        output = folder / f"{name}.{'png' if name in pixels else options.format}"
         reason = draw(name, options, output)
         if reason:
             reasons[name] = reason

@@ -6,7 +6,8 @@
 import sys
 
 from campaign_data import arguments, caption, plt, read_campaign, read_reference, save
-from plot_rigid_channel import BATCHES, Channel, draw_profile, peak, peak_of
+import batches
+from plot_rigid_channel import Channel, draw_profile, peak, peak_of
 
 COLUMNS = {"u'": "urms_plus", "v'": "vrms_plus", "w'": "wrms_plus"}
 
@@ -44,9 +45,9 @@ def draw(axes, channels, reference):
 
 def main():
     options = arguments(__doc__)
-    cases = [case for case in read_campaign(options) if not case.elastic and len(case.weight) >= BATCHES]
+    cases = [case for case in read_campaign(options) if not case.elastic and len(case.weight) >= batches.LEAST]
     if not cases:
-        sys.exit(f"no rigid channel has the {BATCHES} blocks that intervals need")
+        sys.exit(f"no rigid channel has the {batches.LEAST} blocks that intervals need")
     channels = sorted((Channel(case) for case in cases), key=lambda each: (len(each.y), each.case.box))
     reference = read_reference("mkm180_profiles.csv")
     report(channels, reference)

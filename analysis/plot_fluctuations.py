@@ -22,20 +22,20 @@ def main():
                    label="rigid, Moser et al. (1999)")
         for case in cases:
             if case.has(name, 2 * name):
-                case.draw(panel, *case.rms(name), label=case.name)
+                case.draw_profile(panel, lambda each: each.rms(name), label=case.name)
         panel.set(ylabel=rf"${name}'/U_b$", ylim=(0, None))
     panel = axes[1, 1]
     panel.plot(*mirrored(reference["y_over_h"], reference["uv_Ub2"], -1), "k+", markersize=4)
     for case in cases:
         if case.has("uv"):
-            case.draw(panel, *case.mean("uv"))
+            case.draw_profile(panel, lambda each: each.mean("uv"))
     panel.set(ylabel=r"$\overline{u'v'}/U_b^2$")
     for panel in axes.flat:
         panel.axvline(2, color="grey", linewidth=0.5)
     for panel in axes[1]:
         panel.set(xlabel=r"$y/h$", xlim=(0, None))
     axes[0, 0].legend(fontsize=7)
-    save(figure, options, __file__, caption(cases))
+    save(figure, options, __file__, caption(cases) + " Bands: 95 % intervals.")
 
 
 if __name__ == "__main__":

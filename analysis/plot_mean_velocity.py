@@ -11,8 +11,7 @@ def plot_outer(axes, cases, reference):
     axes.plot(np.concatenate([y, 2 - y[::-1]]), np.concatenate([u, u[::-1]]), "k+", markersize=5,
               label=r"rigid, Moser et al. (1999), $Re_\tau=178$")
     for case in cases:
-        y, u = case.mean("u")
-        case.draw(axes, y, u, label=case.name)
+        case.draw_profile(axes, lambda each: each.mean("u"), label=case.name)
     axes.axvline(2, color="grey", linewidth=0.5)
     axes.set(xlabel=r"$y/h$", ylabel=r"$\overline{u}/U_b$", xlim=(0, None), ylim=(0, None), title="(a)")
 
@@ -38,7 +37,7 @@ def main():
     plot_outer(outer, cases, read_reference("mkm180_profiles_bulk.csv"))
     plot_wall_units(wall, cases, read_reference("mkm180_profiles.csv"))
     outer.legend(fontsize=7, loc="lower center")
-    save(figure, options, __file__, caption(cases))
+    save(figure, options, __file__, caption(cases) + " Bands in (a): 95 % intervals.")
 
 
 if __name__ == "__main__":

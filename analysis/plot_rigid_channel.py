@@ -9,11 +9,12 @@ import math
 import sys
 
 from campaign_data import arguments, caption, judge, plt, read_campaign, read_reference, save
+from flow_fields import autocorrelation
 
+import batches
 import h5py
 import numpy as np
 
-BATCHES, STUDENT_T = 16, 2.131  # neighbouring blocks merged, and the 95 % quantile for one batch less
 CORRELATED_AT = (10, 98)  # y+ of the correlations shown
 
 
@@ -25,37 +26,22 @@ class Channel:
         self.reynolds = case.reynolds
         self.y = case.y["center"][: len(case.y["center"]) // 2]
         self.y_face = case.y["face"][: len(case.y["face"]) // 2 + 1]
-        batches = np.array_split(np.arange(len(case.weight)), BATCHES)
-        whole = np.arange(len(case.weight))
-        self.values = self._profiles(whole)
-        left_out = [self._profiles(np.setdiff1d(whole, batch)) for batch in batches]
-        self.ci95 = {name: self._jackknife([each[name] for each in left_out]) for name in self.values}
+        self.values = self._profiles(case)
+        self.ci95 = {name: batches.half_width(case, lambda each: self._profiles(each)[name]) for name in self.values}
 
     @staticmethod
-    def _jackknife(estimates):
-        """Half the 95 % interval, from the estimates that leave out one batch each."""
-        estimates = np.array(estimates)
-        spread = ((estimates - estimates.mean(axis=0)) ** 2).sum(axis=0)
-        return STUDENT_T * np.sqrt((BATCHES - 1) / BATCHES * spread)
-
-    def _mean(self, name, blocks):
-        location, values = self.case.profiles[name]
-        return np.average(values[blocks], axis=0, weights=self.case.weight[blocks])
-
-    def _half(self, name, blocks, sign=1):
-        values = self._mean(name, blocks)
+    def _half(case, name, sign=1):
+        values = case.mean(name)[1]
         half = len(values) // 2 if len(values) % 2 == 0 else len(values) // 2 + 1
         return (values[:half] + sign * values[::-1][:half]) / 2
 
-    def _profiles(self, blocks):
-        """Everything that is compared, over these blocks of time."""
-        weight = self.case.weight[blocks]
-        gradient = np.average(self.case.series["driving_gradient"][blocks], weights=weight)
+    def _profiles(self, case):
+        """Everything that is compared."""
+        gradient = case.mean("driving_gradient")
         u_tau = math.sqrt(gradient)  # both walls: 2 u_tau^2 = 2 P
-        mean = self._half("u", blocks)
-        rms = {name: np.sqrt(self._half(2 * name, blocks) - (mean**2 if name == "u" else 0)) / u_tau
-               for name in "uvw"}
-        uv, viscous = self._half("uv", blocks, -1), self._half("viscous_stress", blocks, -1)
+        mean = self._half(case, "u")
+        rms = {name: np.sqrt(self._half(case, 2 * name) - (mean**2 if name == "u" else 0)) / u_tau for name in "uvw"}
+        uv, viscous = self._half(case, "uv", -1), self._half(case, "viscous_stress", -1)
         line = gradient * (1 - self.y_face)
         return {"re_tau": u_tau * self.reynolds, "u_max": mean.max(), "u": mean / u_tau, "u'": rms["u"], "v'": rms["v"],
                 "w'": rms["w"], "-uv": -uv / u_tau**2, "viscous": viscous / u_tau**2,
@@ -119,10 +105,9 @@ class Correlations:
 
     @staticmethod
     def _correlate(planes, axis):
-        """Circular autocorrelation along an axis (Wiener and Khinchin), averaged over the rest."""
-        spectrum = abs(np.fft.rfft(planes, axis=axis)) ** 2
-        correlation = np.fft.irfft(spectrum, n=planes.shape[axis], axis=axis).mean(axis=tuple({0, 1, 2} - {axis}))
-        return correlation[: planes.shape[axis] // 2 + 1] / correlation[0]
+        """Autocorrelation of [sample][z][x] along an axis, averaged over the rest, over its value at 0."""
+        correlation = autocorrelation(planes, axis).mean(axis=tuple({0, 1, 2} - {axis}))
+        return correlation / correlation[0]
 
 
 def compare(channel, reference):
@@ -205,8 +190,8 @@ def main():
     options = arguments(__doc__)
     cases = [case for case in read_campaign(options) if not case.elastic]
     case = max(cases, key=lambda each: len(each.y["center"]))
-    if len(case.weight) < BATCHES:
-        sys.exit(f"{case.label} has {len(case.weight)} blocks; intervals need {BATCHES}")
+    if len(case.weight) < batches.LEAST:
+        sys.exit(f"{case.label} has {len(case.weight)} blocks; intervals need {batches.LEAST}")
     channel = Channel(case)
     reference = read_reference("mkm180_profiles.csv")
     compare(channel, reference)

@@ -21,7 +21,11 @@ import figures  # noqa: E402
 
 STYLE = (pathlib.Path(__file__).parent / "report.css").read_text()
 TITLES = {"time_series": "Friction and deformation in time", "friction": "Friction Reynolds numbers",
-          "mean_velocity": "Mean velocity", "log_law": "Logarithmic law", "fluctuations": "Velocity fluctuations",
+          "mean_velocity": "Mean velocity", "log_law": "Logarithmic law",
+          "interface_velocity": "Velocity at the interface", "fluctuations": "Velocity fluctuations",
+          "kinetic_energy": "Turbulent kinetic energy", "wall_surface": "The walls at the last moment",
+          "elastic_stress": "Elastic stress", "velocity_planes": "Streamwise velocity along the upper wall",
+          "correlations_x": "Correlations along the flow", "correlations_z": "Correlations across the flow",
           "stress": "Balance of shear stress"}
 QUANTITIES = (("re_tau_w", "Re<sub>τ</sub><sup>w</sup>", 1), ("re_tau", "Re<sub>τ</sub>", 1), ("u_max", "u<sub>M</sub>", 3),
               ("y_max", "y<sub>M</sub>", 3), ("d", "d", 3), ("k_plus_dk", "k+Δk", 2), ("delta_u_plus", "ΔU<sup>+</sup>", 1),
@@ -123,15 +127,16 @@ def paper_section(compared):
 
 
 def figures_section(campaign, start):
-    """Every figure, in vectors, inside the page."""
+    """Every figure inside the page: lines as vectors, pictures of the flow as pixels, which are smaller."""
     parts = ["<h2>Figures</h2>"]
     with tempfile.TemporaryDirectory() as folder:
         options = argparse.Namespace(campaign=campaign, output=folder, format="svg", start=start, no_caption=False)
         with contextlib.redirect_stdout(io.StringIO()):  # where the figures lie for a moment concerns nobody
-            drawn, reasons = figures.draw_all(options)
+            drawn, reasons = figures.draw_all(options, pixels=figures.PICTURES)
         for name, file in drawn.items():
+            kind = {".svg": "svg+xml", ".png": "png"}[file.suffix]
             picture = base64.b64encode(file.read_bytes()).decode()
-            parts.append(f'<figure><img alt="{TITLES[name]}" src="data:image/svg+xml;base64,{picture}">'
+            parts.append(f'<figure><img alt="{TITLES[name]}" src="data:image/{kind};base64,{picture}">'
                          f"<figcaption>{TITLES[name]}</figcaption></figure>")
     parts += [f"<p>{TITLES[name]}: {html.escape(reason)}</p>" for name, reason in reasons.items()]
     return "".join(parts)

@@ -7,28 +7,36 @@ Exit 77 (skipped) where h5py or matplotlib is not installed.
 import contextlib
 import csv
 import importlib.util
+import io
 import json
 import math
 import pathlib
 import re
+import runpy
 import sqlite3
 import subprocess
 import sys
 import tempfile
+import traceback
 import unittest
+import warnings
+from unittest import mock
 
 WRITER, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(ROOT / "analysis"))  # as if the scripts were started from there
 ALL_SCRIPTS = sorted((ROOT / "analysis").glob("plot_*.py"))
 # Those for closed boxes draw snapshots, which take a solver to make: end_to_end/test_closed_box.py draws them.
 WAVES = ROOT / "analysis" / "plot_interface_waves.py"  # draws a campaign of its own
 GROWTH = ROOT / "analysis" / "plot_growth_rates.py"
+CORRELATIONS = ROOT / "analysis" / "plot_correlations.py"  # drawn along both directions
 SCRIPTS = [script for script in ALL_SCRIPTS
-           if "from box_data import" not in script.read_text() and script not in (WAVES, GROWTH)]
+           if "from box_data import" not in script.read_text() and script not in (WAVES, GROWTH, CORRELATIONS)]
 
 
 def make_campaign(folder):
-    """Real statistics files from WRITER and a real store, made by the project's own SQL."""
+    """Real statistics files from WRITER, moments of an invented flow and a real store, made by the project's own SQL."""
     lines = subprocess.run([WRITER, folder], check=True, capture_output=True, text=True).stdout.splitlines()
+    moments.write_moments(folder)
     store = sqlite3.connect(pathlib.Path(folder) / "results.db")
     store.executescript((ROOT / "schemas" / "results.sql").read_text())
     for case_id, line in enumerate(map(json.loads, lines)):
@@ -99,9 +107,27 @@ def make_growing_waves(folder, error):
                     file[f"series/{name}"], file[f"series/{name}_sin"] = wave.real, -wave.imag
 
 
+class Drawn:
+    """How a script ended that ran in this process, where numpy and matplotlib are loaded already."""
+
+    def __init__(self, script, arguments):
+        self.returncode, out, err = 0, io.StringIO(), io.StringIO()
+        with (contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), warnings.catch_warnings(),
+              mock.patch.object(sys, "argv", [str(script), *map(str, arguments)])):
+            warnings.simplefilter("error", UserWarning)
+            try:
+                runpy.run_path(str(script), run_name="__main__")
+            except SystemExit as end:
+                self.returncode = 0 if end.code is None else end.code if isinstance(end.code, int) else 1
+                err.write(end.code + "\n" if isinstance(end.code, str) else "")
+            except Exception:
+                self.returncode = 1
+                err.write(traceback.format_exc())
+        self.stdout, self.stderr = out.getvalue(), err.getvalue()
+
+
 def draw(script, *arguments):
-    return subprocess.run([sys.executable, "-W", "error::UserWarning", script, *map(str, arguments)],
-                          capture_output=True, text=True)
+    return Drawn(script, arguments)
 
 
 class Figures(unittest.TestCase):
@@ -125,6 +151,21 @@ class Figures(unittest.TestCase):
                 output = pathlib.Path(self.scratch.name) / (script.stem + ".png")
                 done = draw(script, self.campaign, "-o", output)
                 self.assert_drawn(done, output)
+
+    def test_correlations_are_drawn_along_both_directions(self):
+        for axis in "xz":
+            output = pathlib.Path(self.scratch.name) / f"correlations_{axis}.png"
+            self.assert_drawn(draw(CORRELATIONS, self.campaign, "--axis", axis, "-o", output), output)
+
+    def test_flow_without_moments_is_explained(self):
+        with tempfile.TemporaryDirectory() as folder:
+            make_campaign(folder)
+            for file in [*pathlib.Path(folder).glob("cases/*/fields/*"), *pathlib.Path(folder).glob("cases/*/checkpoints/*")]:
+                file.unlink()
+            for name in ("correlations", "velocity_planes", "wall_surface"):
+                done = draw(ROOT / "analysis" / f"plot_{name}.py", folder)
+                self.assertEqual(done.returncode, 1)
+                self.assertRegex(done.stderr, "^no .* has a snapshot or a checkpoint\n$")
 
     def assert_drawn(self, done, picture):
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -252,4 +293,5 @@ if __name__ == "__main__":
     if missing:
         print("skipped: no", ", ".join(missing))
         sys.exit(77)
+    import moments
     unittest.main(argv=sys.argv[:1])

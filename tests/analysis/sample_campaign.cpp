@@ -85,6 +85,14 @@ BlockStatistics statistics_of(const Row& row, std::mt19937_64& random) {
   if (elastic) {
     samples::add_profile(s, "elastic_stress", Location::kFace,
                          [&](double y, std::size_t) { return (line(y) - viscous(y)) * solid(y); });
+    for (const char* name : {"v_face", "vv_face", "elastic_xx"})
+      s.meanings[name] = {"", "as the solver names it"};
+    samples::add_profile(s, "v_face", Location::kFace, [](double, std::size_t) { return 0.0; });
+    samples::add_profile(s, "vv_face", Location::kFace, fluctuation(0.05));
+    samples::add_profile(s, "phi", Location::kCenter, [&](double y, std::size_t) { return solid(y); });
+    samples::add_profile(s, "elastic_xx", Location::kCenter, [&](double y, std::size_t b) {
+      return row.G * solid(y) * (1.0 + 0.02 * (y - 2.0) * (1.0 + 0.1 * noise[b]));
+    });
   }
   return s;
 }

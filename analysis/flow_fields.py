@@ -1,0 +1,128 @@
+"""The flow of a case at single moments: its snapshots in fields/ and its newest checkpoint.
+
+Fields are [z][y][x] at the centres of the cells, in units of h, U_b and density 1.
+"""
+
+import contextlib
+import functools
+
+from campaign_data import tell
+
+import h5py
+import numpy as np
+
+DUST = 0.02  # a row with less of the solid fraction ends the solid that hangs from the upper wall
+NEIGHBOUR = {"u": 2, "v": 1, "w": 0}  # along which axis a velocity component stands between the centres
+
+
+class FlowField:
+    """One file. The constructor raises OSError or KeyError where it cannot be read. A checkpoint stays open, because a case
+    that runs removes it when it has written newer ones."""
+
+    def __init__(self, case, file):
+        self.case, self.file = case, file
+        self.is_checkpoint = file.name.startswith("checkpoint-")
+        self._kept = h5py.File(file) if self.is_checkpoint else None
+        with self._opened() as data:
+            self.time = float(np.ravel(data["time"][()])[0])
+            self._names = set(data["fields"] if self.is_checkpoint else data)
+
+    def _opened(self):
+        return contextlib.nullcontext(self._kept) if self._kept else h5py.File(self.file)
+
+    def _read(self, name):
+        with self._opened() as data:
+            return data[f"fields/{name}" if self.is_checkpoint else name][:].astype(float)
+
+    @functools.cache
+    def field(self, name):
+        """u, v, w or p, or phi where the file holds it. A checkpoint has velocities on the faces of the cells."""
+        values = self._read(name)
+        if not self.is_checkpoint or name not in NEIGHBOUR:
+            return values
+        if name == "v":
+            return (values[:, :-1] + values[:, 1:]) / 2
+        return (values + np.roll(values, -1, axis=NEIGHBOUR[name])) / 2
+
+    def fluctuation(self, name):
+        """u, v or w less its mean over time and plane."""
+        return self.field(name) - self.case.mean(name)[1][:, None]
+
+    def plane(self, values, y):
+        """[z][x]: these values of all centres, at the height y."""
+        return self.on_surface(values, np.full((values.shape[0], values.shape[2]), y))
+
+    def on_surface(self, values, height):
+        """[z][x]: these values of all centres, at a height over every column."""
+        centres = self.case.y["center"]
+        row = np.clip(np.searchsorted(centres, height) - 1, 0, len(centres) - 2)
+        share = np.clip((height - centres[row]) / (centres[row + 1] - centres[row]), 0, 1)
+        at = lambda rows: np.take_along_axis(values, rows[:, None, :], axis=1)[:, 0, :]
+        return (1 - share) * at(row) + share * at(row + 1)
+
+    def interface_height(self):
+        """eta[z][x], h. From phi as the solver counts it: the lower end of all solid that hangs from the upper wall.
+        From a checkpoint with a reference map: where the material is that lay at the interface."""
+        return self._height_by_volume() if "phi" in self._names else self._height_of_material()
+
+    def _height_by_volume(self):
+        phi = self._read("phi")[:, ::-1]
+        above = np.cumprod(phi >= DUST, axis=1)  # 1 as long as no row of dust has been met
+        counts = np.concatenate([np.ones_like(above[:, :1]), above[:, :-1]], axis=1)
+        thickness = np.diff(self.case.y["face"])[::-1]
+        return self.case.y["face"][-1] - np.einsum("kji,j->ki", phi * counts, thickness)
+
+    def _height_of_material(self):
+        faces = self.case.y["face"]
+        origin = (faces[:, None] - self._read("d_y"))  # where the material at each face lay at rest
+        below = origin < self.case.interface_y
+        row = len(faces) - 1 - np.argmax(below[:, ::-1], axis=1)  # the highest face below the surface
+        row = np.clip(row, 0, len(faces) - 2)
+        low, high = (np.take_along_axis(origin, rows[:, None, :], axis=1)[:, 0, :] for rows in (row, row + 1))
+        share = np.clip((self.case.interface_y - low) / (high - low), 0, 1)
+        return faces[row] + share * (faces[row + 1] - faces[row])
+
+
+def autocorrelation(values, axis):
+    """Circular autocorrelation along one axis (Wiener and Khinchin), for separations up to half the period; not divided by
+    its value at 0."""
+    n = values.shape[axis]
+    spectrum = abs(np.fft.rfft(values, axis=axis)) ** 2
+    return np.take(np.fft.irfft(spectrum, n=n, axis=axis), range(n // 2 + 1), axis=axis)
+
+
+def _readable(case, file):
+    """One that cannot be read is left out by name."""
+    try:
+        return FlowField(case, file)
+    except FileNotFoundError:
+        raise
+    except (OSError, KeyError) as error:
+        tell(f"left out {file}: {error}")
+        return None
+
+
+def _newest_checkpoint(case):
+    """None without one. It may be removed between the two looks, when there is a newer one."""
+    while files := sorted(case.directory.glob("checkpoints/checkpoint-*.h5"), key=lambda file: file.name):
+        try:
+            return _readable(case, files[-1])
+        except FileNotFoundError:
+            continue
+    return None
+
+
+def flow_fields(case):
+    """All moments of a case that are on the disk, in the order of time."""
+    files = sorted(case.directory.glob("fields/fields-*.h5"))
+    found = {}
+    for field in [*(_readable(case, file) for file in files), _newest_checkpoint(case)]:
+        if field is not None:
+            found.setdefault(field.time, field)
+    return [found[time] for time in sorted(found)]
+
+
+def newest(case):
+    """The last moment of a case, or None."""
+    fields = flow_fields(case)
+    return fields[-1] if fields else None

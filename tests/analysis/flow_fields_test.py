@@ -1,0 +1,153 @@
+"""flow_fields_test.py ROOT: what the figures make of snapshots, checkpoints and block averages. ROOT is the source folder.
+
+Exit 77 (skipped) where h5py or matplotlib is not installed.
+"""
+
+import importlib.util
+import pathlib
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(ROOT / "analysis"))
+
+
+class FakeCase:
+    """What FlowField asks of a case, over rows that are not uniform."""
+
+    def __init__(self, directory):
+        face = np.concatenate([np.linspace(0, 1.8, 19), np.linspace(1.82, 2.5, 35)])
+        self.directory, self.interface_y = directory, 2.0
+        self.y = {"face": face, "center": (face[1:] + face[:-1]) / 2}
+
+    def mean(self, name):
+        return self.y["center"], np.full(len(self.y["center"]), 0.25)
+
+
+class FlowFields(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.case = FakeCase(pathlib.Path(scratch.name))
+        for folder in ("fields", "checkpoints"):
+            (self.case.directory / folder).mkdir()
+
+    def snapshot(self, step=1, time=1.0, elastic=True):
+        moments.write_snapshot(self.case.directory / f"fields/fields-{step:09d}.h5", self.case.y["face"], time, elastic)
+
+    def checkpoint(self, step=2, time=2.0, solid="d_y"):
+        file = self.case.directory / f"checkpoints/checkpoint-{step:09d}.h5"
+        file.unlink(missing_ok=True)  # an earlier one may still be open
+        moments.write_checkpoint(file, self.case.y["face"], time, solid)
+        return file
+
+    def test_moments_come_in_the_order_of_time_and_each_once(self):
+        self.snapshot(1, 1.0)
+        self.snapshot(3, 3.0)
+        self.checkpoint(1, 1.0)
+        self.checkpoint(2, 2.0)  # the newest one counts
+        self.assertEqual([field.time for field in flow_fields.flow_fields(self.case)], [1.0, 2.0, 3.0])
+        self.assertEqual(flow_fields.newest(self.case).time, 3.0)
+
+    def test_what_cannot_be_read_is_left_out(self):
+        self.snapshot()
+        self.checkpoint().write_bytes(b"damaged")
+        self.assertEqual([field.time for field in flow_fields.flow_fields(self.case)], [1.0])
+
+    def test_a_checkpoint_can_be_read_after_the_case_has_removed_it(self):
+        file = self.checkpoint()
+        field = flow_fields.newest(self.case)
+        file.unlink()
+        self.assertLess(abs(field.interface_height() - moments.eta()).max(), 1e-12)
+
+    def test_the_interface_is_found_by_volume_and_by_material(self):
+        self.snapshot()
+        by_snapshot = flow_fields.newest(self.case).interface_height()
+        for solid in ("phi", "d_y"):
+            self.checkpoint(solid=solid)
+            field = flow_fields.newest(self.case)
+            self.assertEqual(field.time, 2.0)
+            for found in (by_snapshot, field.interface_height()):
+                self.assertLess(abs(found - moments.eta()).max(), 1e-12)
+
+    def test_a_checkpoint_holds_the_velocities_of_a_snapshot(self):
+        """To the second order of the mean of two faces."""
+        self.snapshot()
+        snapshot = flow_fields.newest(self.case)
+        self.checkpoint()
+        checkpoint = flow_fields.newest(self.case)
+        for name in "uvwp":
+            difference = abs(checkpoint.field(name) - snapshot.field(name)).max()
+            self.assertLess(difference, 0.1 * 2.3 * (2 * np.pi / moments.NZ) ** 2 / 8, name)
+
+    def test_values_on_a_surface_are_interpolated(self):
+        self.snapshot()
+        field = flow_fields.newest(self.case)
+        height = np.broadcast_to(moments.eta(), (moments.NZ, moments.NX))
+        linear = np.broadcast_to(3 - 2 * self.case.y["center"][:, None], field.field("u").shape)
+        self.assertLess(abs(field.on_surface(linear, height) - (3 - 2 * height)).max(), 1e-12)
+        self.assertLess(abs(field.plane(linear, 1.234) - (3 - 2 * 1.234)).max(), 1e-12)
+        self.assertLess(abs(field.fluctuation("u") - (field.field("u") - 0.25)).max(), 1e-12)
+
+
+class Correlations(unittest.TestCase):
+    def test_waves_have_the_exact_correlation(self):
+        x, z = np.arange(32) / 32, np.arange(24) / 24
+        field = (np.cos(2 * np.pi * 3 * x)[None, None, :] * (1 + np.sin(2 * np.pi * 2 * z))[:, None, None]
+                 * np.ones((1, 2, 1)))
+        field[:, 1] = 0  # a row at rest
+        for axis, exact in ((2, np.cos(2 * np.pi * 3 * x[:17])), (0, (1 + np.cos(2 * np.pi * 2 * z[:13]) / 2) / 1.5)):
+            found = plot_correlations.correlation([field, 2 * field], axis)
+            self.assertEqual(found.shape, (2, len(exact)))
+            self.assertLess(abs(found[0] - exact).max(), 1e-12)
+            self.assertTrue((found[1] == 0).all())
+
+
+class Surfaces(unittest.TestCase):
+    def test_waves_are_resampled_exactly_and_their_first_points_repeated(self):
+        wave = lambda nz, nx: np.add.outer(np.cos(2 * np.pi * np.arange(nz) / nz), np.sin(4 * np.pi * np.arange(nx) / nx))
+        for shape in ((16, 48), (8, 12), (24, 31)):
+            found = plot_wall_surface.resampled(wave(11, 24), shape)
+            self.assertEqual(found.shape, (shape[0] + 1, shape[1] + 1))
+            self.assertLess(abs(found[:-1, :-1] - wave(*shape)).max(), 1e-12)
+            self.assertTrue((found[-1] == found[0]).all() and (found[:, -1] == found[:, 0]).all())
+
+
+class Intervals(unittest.TestCase):
+    def case(self, values, weight):
+        case = type("Case", (), {})()
+        case.weight, case.values = np.array(weight, dtype=float), np.array(values)
+        return case
+
+    @staticmethod
+    def mean(case):
+        return np.average(case.values, axis=0, weights=case.weight)
+
+    def test_they_hold_the_truth_about_as_often_as_they_say(self):
+        random = np.random.default_rng(1)
+        for blocks in (8, 20, 48):
+            held = 0
+            for _ in range(400):
+                case = self.case(3 + random.standard_normal((blocks, 1)), 1 + random.random(blocks))
+                held += abs(self.mean(case)[0] - 3) <= batches.half_width(case, self.mean)[0]
+            self.assertTrue(0.92 <= held / 400 <= 0.98, (blocks, held))
+
+    def test_few_blocks_give_none(self):
+        weight = [1] * 7 + [0] * 5  # blocks without samples do not count
+        self.assertIsNone(batches.half_width(self.case(np.zeros(12), weight), self.mean))
+
+
+if __name__ == "__main__":
+    missing = [name for name in ("h5py", "matplotlib") if importlib.util.find_spec(name) is None]
+    if missing:
+        print("skipped: no", ", ".join(missing))
+        sys.exit(77)
+    import numpy as np
+
+    import batches
+    import flow_fields
+    import moments
+    import plot_correlations
+    import plot_wall_surface
+    unittest.main(argv=sys.argv[:1])

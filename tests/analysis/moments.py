@@ -1,0 +1,80 @@
+"""Snapshots and checkpoints of an invented flow under an interface that is known: a wave along x."""
+
+import json
+import pathlib
+
+import numpy as np
+
+LENGTH_X, LENGTH_Z = 6.0, 3.0  # h, the paper's box
+NX, NZ = 24, 12
+AMPLITUDE, WAVES = 0.05, 2
+
+
+def eta(n=NX):
+    """Height of the interface over the centres of the cells along x."""
+    x = (np.arange(n) + 0.5) / n * LENGTH_X
+    return 2 + AMPLITUDE * np.cos(2 * np.pi * WAVES * x / LENGTH_X)
+
+
+def velocity(name, x, y, z):
+    """Of one component at points [z][y][x]; no derivative of it vanishes everywhere."""
+    phase = {"u": 0.0, "v": 1.0, "w": 2.0}[name]
+    return 0.1 * np.sin(2 * np.pi * (x / LENGTH_X + z / LENGTH_Z) + phase) * (1 + 0.5 * y)
+
+
+def _points(y, shift_x=0.5, shift_z=0.5):
+    x = (np.arange(NX) + shift_x) / NX * LENGTH_X
+    z = (np.arange(NZ) + shift_z) / NZ * LENGTH_Z
+    return x[None, None, :], y[None, :, None], z[:, None, None]
+
+
+def _phi(y_face):
+    """Share of each cell above the interface."""
+    below = np.clip((eta()[None, :] - y_face[:-1, None]) / np.diff(y_face)[:, None], 0, 1)
+    return np.broadcast_to(1 - below, (NZ, *below.shape))
+
+
+def write_snapshot(file, y_face, time, elastic):
+    import h5py
+
+    centres = _points((y_face[1:] + y_face[:-1]) / 2)
+    with h5py.File(file, "w") as data:
+        data["time"] = time
+        data["x"], data["z"] = np.linspace(0, LENGTH_X, NX + 1), np.linspace(0, LENGTH_Z, NZ + 1)
+        data["y"] = y_face
+        for name in "uvw":
+            data[name] = velocity(name, *centres)
+        data["p"] = velocity("v", *centres)
+        if elastic:
+            data["phi"] = _phi(y_face)
+
+
+def write_checkpoint(file, y_face, time, solid):
+    """`solid`: None, "phi" (transported B) or "d_y" (a reference map whose columns have moved as a whole)."""
+    import h5py
+
+    y = (y_face[1:] + y_face[:-1]) / 2
+    with h5py.File(file, "w", userblock_size=4096) as data:
+        data["time"] = np.array([time])
+        data["fields/u"] = velocity("u", *_points(y, shift_x=0))
+        data["fields/v"] = velocity("v", *_points(y_face))
+        data["fields/w"] = velocity("w", *_points(y, shift_z=0))
+        data["fields/p"] = velocity("v", *_points(y))
+        if solid == "phi":
+            data["fields/phi"] = _phi(y_face)
+        if solid == "d_y":
+            data["fields/d_y"] = np.broadcast_to(eta() - 2, (NZ, len(y_face), NX))
+
+
+def write_moments(campaign):
+    """A snapshot and a later checkpoint for every case of a campaign with statistics."""
+    import h5py
+
+    for directory in (pathlib.Path(campaign) / "cases").iterdir():
+        elastic = json.loads((directory / "case.json").read_text())["physics"]["flow"] == "elastic_wall"
+        with h5py.File(directory / "statistics.h5") as statistics:
+            y_face = statistics["grid/y_face"][:]
+        for folder in ("fields", "checkpoints"):
+            (directory / folder).mkdir(exist_ok=True)
+        write_snapshot(directory / "fields" / "fields-000000010.h5", y_face, 120.0, elastic)
+        write_checkpoint(directory / "checkpoints" / "checkpoint-000000020.h5", y_face, 148.0, "d_y" if elastic else None)
