@@ -1,253 +1,23 @@
 #include <sqlite3.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
-#include <functional>
 #include <iostream>
-#include <map>
 #include <string_view>
 
-#include "campaign/commands/commands.hpp"
+#include "campaign/commands/command_line.hpp"
 #include "campaign/commands/failure_report.hpp"
 #include "campaign/runner/campaign_lock.hpp"
 #include "campaign/store/sqlite.hpp"
 #include "campaign/store/text_width.hpp"
 #include "campaign/system/signals.hpp"
 #include "solver/case/bad_input.hpp"
-#include "solver/case/option_number.hpp"
 #include "solver/case/spelling.hpp"
 #include "solver/case/standard_streams.hpp"
-#include "solver/run_directory/build_info.hpp"
 
-/// softwall: the command line of the campaign manager.
+/// softwall, the campaign manager: runs a command and tells what went wrong.
 namespace softwall::campaign {
 namespace {
-
-constexpr double kLongestStallMinutes = 1e6;  // two years
-constexpr double kLatestWindowStart = 1e9;    // as statistics.start_time of a campaign, h/U_b
-
-/// What was given after the name of a command.
-struct Arguments {
-  std::filesystem::path path, file;
-  std::string sql, chosen;
-  bool json = false, csv = false, latex = false, vertical = false, watch = false, remove = false,
-       no_caption = false;
-  std::string picture = "png";
-  std::optional<double> from;
-  RunOptions run;
-  [[nodiscard]] OutputFormat format() const {
-    return json       ? OutputFormat::kJson
-           : csv      ? OutputFormat::kCsv
-           : latex    ? OutputFormat::kLatex
-           : vertical ? OutputFormat::kVertical
-                      : OutputFormat::kText;
-  }
-  [[nodiscard]] WantedResults results() const { return {path, from}; }
-  [[nodiscard]] std::optional<std::filesystem::path> output() const {
-    return file.empty() ? std::nullopt : std::optional(file);
-  }
-};
-
-using CommandAction = std::function<ExitStatus(const Arguments&)>;
-
-/// Errors are then told as JSON, too.
-bool wants_json(int count, char** words) {
-  return std::any_of(words, words + count, [](std::string_view word) { return word == "--json"; });
-}
-
-class CommandLine {
- public:
-  CommandLine();
-  ExitStatus run(int count, char** words);
-
- private:
-  CLI::App* add(const std::string& name, const std::string& help, CommandAction action);
-  void add_results_commands();
-  void suggest_command(int count, char** words) const;
-  [[nodiscard]] bool asks_for_help(int count, char** words) const;
-  void print_help(const std::string& command) const;
-  [[nodiscard]] std::string suggest_option(int count, char** words) const;
-
-  CLI::App app_{"Campaigns of direct numerical simulations over elastic walls", "softwall"};
-  Arguments arguments_;
-  std::map<const CLI::App*, CommandAction> actions_;
-};
-
-CommandLine::CommandLine() {
-  const BuildInfo build = build_info();
-  app_.set_version_flag("--version", "softwall " + build.version + " (" + build.git_revision + ")");
-  app_.require_subcommand(1);
-  app_.footer(
-      "PATH is a campaign file or its folder. Exit status: 0 all done, 1 error, 2 bad input,\n"
-      "3 done with failed cases, 4 unfinished (resume), 5 another softwall runs the campaign.");
-  const auto run = [](const Arguments& given) { return run_campaign(given.path, given.run); };
-  for (CLI::App* command : {add("run", "Run a campaign to its end; what is finished is kept", run),
-                            add("resume", "Go on with a campaign after any stop or crash", run)}) {
-    command
-        ->add_option("--stall-minutes", arguments_.run.stall_minutes,
-                     "End an attempt that makes no step for this long")
-        ->check(CLI::Validator(
-            [](const std::string& text) {
-              return trouble_with_number(text, {.low_allowed = false, .high = kLongestStallMinutes});
-            },
-            ""))
-        ->capture_default_str();
-    command->add_flag("--start-over", arguments_.run.start_over,
-                      "Let cases that had checkpoints, of which none can be used, start from the beginning");
-  }
-  CLI::App* plan = add("plan", "Show what run would do, and what it would cost",
-                       [](const Arguments& given) { return show_plan(given.path, given.json); });
-  plan->add_flag("--json", arguments_.json, "Print one JSON value");
-  CLI::App* status = add("status", "Show how far the cases are", [](const Arguments& given) {
-    return given.watch ? watch_status(given.path) : show_status(given.path, given.json);
-  });
-  CLI::Option* json = status->add_flag("--json", arguments_.json, "Print one JSON value");
-  status
-      ->add_flag("--watch", arguments_.watch,
-                 "Again every two seconds, as much as the window holds, until the run ends; waits for one")
-      ->excludes(json);
-  add_results_commands();
-  CLI::App* verify =
-      add("verify", "Read all checkpoints and records in full; change nothing", [](const Arguments& given) {
-        return verify_campaign(given.path, given.chosen.empty() ? std::nullopt : std::optional(given.chosen));
-      });
-  verify->add_option("CASE", arguments_.chosen, "Label, or beginning of the id, of a single case");
-  CLI::App* clean = add("clean", "List cases left over from earlier versions of the campaign file",
-                        [](const Arguments& given) { return clean_campaign(given.path, given.remove); });
-  clean->add_flag("--remove", arguments_.remove, "Remove them, with their run directories");
-  add("rebuild", "Make the results store again from the run directories",
-      [](const Arguments& given) { return rebuild_store(given.path); });
-  app_.add_subcommand("help", "Explain softwall, or the command named behind it")
-      ->add_option("COMMAND", arguments_.chosen, "A command");
-}
-
-void CommandLine::add_results_commands() {
-  CLI::App* table =
-      add("table", "Print the paper's tables beside the measured values",
-          [](const Arguments& given) { return show_paper_tables(given.results(), given.format()); });
-  CLI::App* query = add("query", "Ask the results store in SQL (read only)", [](const Arguments& given) {
-    return show_query(given.results(), given.sql, given.format());
-  });
-  query->add_option("SQL", arguments_.sql, "One statement, e.g. \"SELECT label, re_tau FROM results\"")
-      ->required();
-  CLI::App* exporting = add("export", "Write one row a case", [](const Arguments& given) {
-    return export_campaign(given.results(), given.format(), given.output());
-  });
-  exporting->add_option("-o,--output", arguments_.file, "File to write instead of standard output");
-  CLI::App* figures = add("figures", "Draw every figure that the campaign's data allow",
-                          [](const Arguments& given) -> ExitStatus {
-                            draw_figures(given.results(), {given.output(), given.picture, !given.no_caption});
-                          });
-  figures->add_option("-o,--output", arguments_.file,
-                      "Folder to write to; default: figures/ in the campaign's");
-  figures->add_option("--format", arguments_.picture, "Format of the pictures")
-      ->check(CLI::IsMember({"png", "pdf", "svg"}))
-      ->capture_default_str();
-  figures->add_flag("--no-caption", arguments_.no_caption, "Leave out the lines below each figure");
-  CLI::App* report =
-      add("report", "Write one HTML page: cases, tables, figures, provenance",
-          [](const Arguments& given) -> ExitStatus { write_report(given.results(), given.output()); });
-  report->add_option("-o,--output", arguments_.file,
-                     "File to write; default: report.html in the campaign's folder");
-  for (CLI::App* command : {table, query, exporting, figures, report}) {
-    command
-        ->add_option(
-            "--from", arguments_.from,
-            "Begin the averages at this time [h/U_b], but those of precursors; changes nothing on disk")
-        ->check(CLI::Validator(
-            [](const std::string& text) {
-              return trouble_with_number(text, {.low_allowed = true, .high = kLatestWindowStart});
-            },
-            ""));
-  }
-  for (CLI::App* command : {table, query, exporting}) {
-    CLI::Option_group* format = command->add_option_group("Format");
-    format->add_flag("--csv", arguments_.csv, "Comma-separated values");
-    format->add_flag("--json", arguments_.json, "Print one JSON value");
-    if (command == query)
-      format->add_flag("--vertical", arguments_.vertical, "One value a line, for rows of many columns");
-    if (command == table) format->add_flag("--latex", arguments_.latex, "Two tabulars for each reading of G");
-    format->require_option(command == exporting ? 1 : 0, 1);
-  }
-}
-
-CLI::App* CommandLine::add(const std::string& name, const std::string& help, CommandAction action) {
-  CLI::App* command = app_.add_subcommand(name, help);
-  command->add_option("PATH", arguments_.path, "Campaign file or its folder")->required();
-  actions_[command] = std::move(action);
-  return command;
-}
-
-/// "softwall stauts": say which command was probably meant.
-void CommandLine::suggest_command(int count, char** words) const {
-  if (count < 2 || words[1][0] == '-') return;
-  std::vector<std::string> known{"help"};
-  for (const auto& [command, action] : actions_) known.push_back(command->get_name());
-  if (std::ranges::find(known, words[1]) != known.end()) return;
-  const auto near = suggestion(words[1], known);
-  throw BadInput("softwall", {{"", "no command " + printable(words[1]),
-                               near ? "did you mean " + *near + "?" : "softwall --help lists all commands"}});
-}
-
-/// "softwall help" and "softwall help run"; "softwall help --help" is read like any other command.
-bool CommandLine::asks_for_help(int count, char** words) const {
-  return std::string_view(words[1]) == "help" && (count == 2 || words[2][0] != '-');
-}
-
-void CommandLine::print_help(const std::string& command) const {
-  if (command.empty()) {
-    std::cout << app_.help();
-    return;
-  }
-  for (const auto& [known, action] : actions_) {
-    if (known->get_name() == command) {
-      std::cout << known->help("softwall");
-      return;
-    }
-  }
-  throw BadInput("softwall help",
-                 {{"", "no command " + printable(command), "softwall help lists all commands"}});
-}
-
-/// "softwall plan --jsno DIR": the option that was probably meant.
-std::string CommandLine::suggest_option(int count, char** words) const {
-  const CLI::App* command = app_.get_subcommands().empty() ? &app_ : app_.get_subcommands().front();
-  std::vector<std::string> known;
-  for (const CLI::Option* option : command->get_options()) {
-    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-  }
-  for (int i = 1; i < count; ++i) {
-    const std::string word = words[i];
-    if (!word.starts_with("--") || std::ranges::find(known, word) != known.end()) continue;
-    if (const auto near = suggestion(word, known)) return "Did you mean " + *near + "?";
-  }
-  return "";
-}
-
-ExitStatus CommandLine::run(int count, char** words) {
-  if (count < 2) {
-    std::cerr << app_.help();
-    return ExitStatus::kBadInput;
-  }
-  suggest_command(count, words);
-  if (asks_for_help(count, words)) {
-    print_help(count == 2 ? "" : words[2]);
-    return ExitStatus::kDone;
-  }
-  try {
-    app_.parse(count, words);
-  } catch (const CLI::Success& asked) {
-    return app_.exit(asked, std::cout, std::cerr) == 0 ? ExitStatus::kDone : ExitStatus::kBadInput;
-  } catch (const CLI::ParseError& error) {
-    if (wants_json(count, words))
-      throw BadInput("softwall", {{"", error.what(), suggest_option(count, words)}});
-    app_.exit(error, std::cout, std::cerr);
-    if (const std::string near = suggest_option(count, words); !near.empty()) std::cerr << near << "\n";
-    return ExitStatus::kBadInput;
-  }
-  return actions_.at(app_.get_subcommands().front())(arguments_);
-}
 
 /// Says what to do about a store that cannot be used. Only a damaged one is to be made again: on a full disk,
 /// or while another program holds it, that would take away what is still good.
@@ -288,7 +58,7 @@ ExitStatus run_reporting_errors(int count, char** words) {
     return status;
   };
   try {
-    const ExitStatus status = CommandLine().run(count, words);
+    const ExitStatus status = run_command_line(count, words);
     return runs ? status : delivered(status);
   } catch (const BadInput& error) {
     return fail(ExitStatus::kBadInput, printable_lines(error.what()) + "\n", error.mistakes);

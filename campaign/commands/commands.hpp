@@ -11,6 +11,9 @@
 /// A path is a campaign file or its folder. All throw BadInput for what cannot be used.
 namespace softwall::campaign {
 
+/// Writes a small campaign file into this folder, which is made if it is not there, and explains its keys.
+[[nodiscard]] ExitStatus begin_campaign(const std::filesystem::path& folder);
+
 struct RunOptions {
   double stall_minutes = 30.0;  ///< an attempt without a step for this long is ended and tried again
   bool start_over =

@@ -55,6 +55,8 @@ class Install(unittest.TestCase):
         wanted = ({f"bin/{name}" for name in ("softwall", "softwall-dns", "softwall-dns-single")}
                   | {f"share/softwall/schemas/{name}" for name in schemas}
                   | {f"share/man/man1/{name}.1" for name in ("softwall", "softwall-dns")}
+                  | {f"share/{name}" for name in ("bash-completion/completions/softwall", "zsh/site-functions/_softwall",
+                                                  "fish/vendor_completions.d/softwall.fish")}
                   | {f"share/doc/softwall/{name}" for name in ("README.md", "LICENSE", "CHANGELOG.md", "CITATION.cff")})
         self.assertEqual(wanted - files, set())
         self.assertEqual(sorted(path for path in files if path.startswith("bin/")),
