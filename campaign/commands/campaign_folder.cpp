@@ -41,12 +41,13 @@ fs::path folder_of(const fs::path& path) {
 LoadedCampaign load_campaign(const fs::path& path) {
   const fs::path file = campaign_file(path);
   LoadedCampaign loaded{read_campaign(file), folder_of(file), {}};
-  if (const auto existing = existing_cases(loaded.campaign, loaded.folder); !existing.empty())
+  const CaseDirectories directories = existing_directories(loaded.folder);
+  if (const auto existing = existing_cases(loaded.campaign, loaded.folder, directories); !existing.empty())
     loaded.campaign = read_campaign(file, existing);
   Execution& execution = loaded.campaign.execution;
   execution.cores = cores_to_use(execution.cores, *make_launcher(execution.launcher));
   loaded.named = file.filename() == kCampaignFile ? loaded.folder : loaded.folder / file.filename();
-  keep_existing_directories(loaded.campaign, loaded.folder);
+  keep_existing_directories(loaded.campaign, loaded.folder, directories);
   return loaded;
 }
 

@@ -50,29 +50,41 @@ void check_zip(const json& zip, std::vector<Mistake>& mistakes) {
   if (!equal) mistakes.push_back({"/sweep/zip", "lists of unequal length", lengths});
 }
 
+std::string pointer_of(const std::string& name) { return find_parameter(name)->pointer.to_string(); }
+
 Point point_of(const json& values) {
   Point point;
-  for (const auto& [name, value] : values.items()) point[find_parameter(name)->pointer.to_string()] = value;
+  for (const auto& [name, value] : values.items()) point[pointer_of(name)] = value;
   return point;
 }
 
+/// Names of parameters with lists of values, by pointer: looked up once, however many points there are.
+std::vector<std::pair<std::string, json>> lists_of(const json& named) {
+  std::vector<std::pair<std::string, json>> lists;
+  for (const auto& [name, values] : named.items()) lists.emplace_back(pointer_of(name), values);
+  return lists;
+}
+
 void append_grid(const json& grid, std::vector<Point>& points) {
+  const auto axes = lists_of(grid);
   for (std::size_t number = 0; number < grid_size(grid); ++number) {
     std::size_t rest = number;
-    json values = json::object();
-    for (auto axis = grid.rbegin(); axis != grid.rend(); ++axis) {  // the last axis runs fastest
-      values[axis.key()] = axis.value()[rest % axis.value().size()];
-      rest /= axis.value().size();
+    Point point;
+    for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {  // the last axis runs fastest
+      const auto& [pointer, values] = *axis;
+      point[pointer] = values[rest % values.size()];
+      rest /= values.size();
     }
-    points.push_back(point_of(values));
+    points.push_back(std::move(point));
   }
 }
 
 void append_zip(const json& zip, std::vector<Point>& points) {
+  const auto lists = lists_of(zip);
   for (std::size_t i = 0; i < zip_size(zip); ++i) {
-    json values = json::object();
-    for (const auto& [name, list] : zip.items()) values[name] = list[i];
-    points.push_back(point_of(values));
+    Point point;
+    for (const auto& [pointer, values] : lists) point[pointer] = values[i];
+    points.push_back(std::move(point));
   }
 }
 

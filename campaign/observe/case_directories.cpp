@@ -1,8 +1,9 @@
 #include "campaign/observe/case_directories.hpp"
 
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <unordered_set>
 
 #include "solver/case/bad_input.hpp"
 #include "solver/run_directory/run_files.hpp"
@@ -11,17 +12,20 @@ namespace softwall::campaign {
 
 namespace {
 
-std::map<std::string, std::string> directories_in_order(
-    const std::unordered_multimap<std::string, std::string>& by_digits) {
-  std::map<std::string, std::string> in_order;
-  for (const auto& [digits, directory] : by_digits) in_order.emplace(directory, digits);
-  return in_order;
+/// Those whose digits no case of the campaign has, in the order of their names: which of several equally good
+/// ones serves must not depend on chance.
+std::set<std::string> directories_of_others(const CaseDirectories& directories,
+                                            const std::unordered_set<std::string>& digits_of_campaign) {
+  std::set<std::string> others;
+  for (const auto& [digits, directory] : directories)
+    if (!digits_of_campaign.contains(digits)) others.insert(directory);
+  return others;
 }
 
 }  // namespace
 
-std::unordered_multimap<std::string, std::string> existing_directories(const std::filesystem::path& folder) {
-  std::unordered_multimap<std::string, std::string> found;
+CaseDirectories existing_directories(const std::filesystem::path& folder) {
+  CaseDirectories found;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "cases", none)) {
     const std::string name = entry.path().filename();
@@ -31,16 +35,14 @@ std::unordered_multimap<std::string, std::string> existing_directories(const std
   return found;
 }
 
-ExistingCases existing_cases(const Campaign& campaign, const std::filesystem::path& folder) {
-  auto others = existing_directories(folder);
-  const auto has_directory = [&](const CampaignCase& one) {
-    return others.erase(one.definition.id.substr(0, kIdDigits)) > 0;
-  };
-  const auto with_directory = std::ranges::count_if(campaign.cases, has_directory);
+ExistingCases existing_cases(const Campaign& campaign, const std::filesystem::path& folder,
+                             const CaseDirectories& directories) {
+  std::unordered_set<std::string> digits;
+  for (const CampaignCase& one : campaign.cases) digits.insert(one.definition.id.substr(0, kIdDigits));
+  const auto has_directory = [&](const std::string& each) { return directories.contains(each); };
   ExistingCases existing;
-  if (with_directory == std::ssize(campaign.cases)) return existing;
-  // In the order of their names: which of several equally good ones serves must not depend on chance.
-  for (const auto& [directory, digits] : directories_in_order(others)) {
+  if (std::ranges::all_of(digits, has_directory)) return existing;
+  for (const std::string& directory : directories_of_others(directories, digits)) {
     try {
       existing.add(to_json(read_case(RunFiles{folder / directory}.case_file())).at("physics"));
     } catch (const BadInput&) {

@@ -12,12 +12,15 @@ namespace softwall::campaign {
 
 inline constexpr std::size_t kIdDigits = 8;  ///< of a case id, at the end of its directory's name
 
-/// Directory by the digits of the id in its name, every one that is there.
-[[nodiscard]] std::unordered_multimap<std::string, std::string> existing_directories(
-    const std::filesystem::path& folder);
+/// Directory by the digits of the id in its name.
+using CaseDirectories = std::unordered_multimap<std::string, std::string>;
 
-/// The cases in run directories that belong to no case of the campaign as it reads by itself. Empty also when
-/// every case of the campaign has its directory. Those without a readable case file are left out.
-[[nodiscard]] ExistingCases existing_cases(const Campaign& campaign, const std::filesystem::path& folder);
+/// Every run directory that is there.
+[[nodiscard]] CaseDirectories existing_directories(const std::filesystem::path& folder);
+
+/// The cases in those run directories that belong to no case of the campaign as it reads by itself. Empty
+/// also when every case of the campaign has its directory. Those without a readable case file are left out.
+[[nodiscard]] ExistingCases existing_cases(const Campaign& campaign, const std::filesystem::path& folder,
+                                           const CaseDirectories& directories);
 
 }  // namespace softwall::campaign

@@ -14,7 +14,6 @@
 #include <unordered_set>
 
 #include "campaign/core/label.hpp"
-#include "campaign/observe/case_directories.hpp"
 #include "campaign/observe/ladder.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/system/process_identity.hpp"
@@ -273,8 +272,8 @@ AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, 
   return end;
 }
 
-void keep_existing_directories(Campaign& campaign, const std::filesystem::path& folder) {
-  const auto existing = existing_directories(folder);
+void keep_existing_directories(Campaign& campaign, const std::filesystem::path& folder,
+                               const CaseDirectories& existing) {
   std::unordered_set<std::string> kept;
   for (CampaignCase& one : campaign.cases) {
     const std::string& id = one.definition.id;

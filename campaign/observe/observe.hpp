@@ -7,6 +7,7 @@
 #include "campaign/core/attempt.hpp"
 #include "campaign/core/campaign.hpp"
 #include "campaign/launch/launcher.hpp"
+#include "campaign/observe/case_directories.hpp"
 #include "solver/run_directory/run_files.hpp"
 
 /// What the run directories say. Only reads.
@@ -47,7 +48,8 @@ namespace softwall::campaign {
                                       std::optional<int> exit_code);
 
 /// Labels are for people, ids are identity: a case that has a directory keeps it, and the label it was run
-/// under, however the sweep names it now.
-void keep_existing_directories(Campaign& campaign, const std::filesystem::path& folder);
+/// under, however the sweep names it now. `existing`: what existing_directories(folder) found.
+void keep_existing_directories(Campaign& campaign, const std::filesystem::path& folder,
+                               const CaseDirectories& existing);
 
 }  // namespace softwall::campaign

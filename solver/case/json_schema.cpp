@@ -111,8 +111,12 @@ template <class Object, class Visit>
 void walk_together(const Member& node, Object& object, const Visit& visit) {
   auto at = object.begin();
   for (const Member& child : node.members) {
-    while (at != object.end() && at->first < child.key) ++at;
-    visit(child, at, at != object.end() && at->first == child.key);
+    int order = 1;  // of the key that is there against the described one
+    for (; at != object.end(); ++at) {
+      order = at->first.compare(child.key);
+      if (order >= 0) break;
+    }
+    visit(child, at, at != object.end() && order == 0);
   }
 }
 
@@ -135,13 +139,17 @@ json without(const Member& node, const json& value) {
   if (!value.is_object() || node.members.empty()) return value;
   const auto& object = value.get_ref<const json::object_t&>();
   json kept = json::object();
-  const auto keep = [&](const Member& child, const json& member) {
+  std::size_t met = 0;
+  walk_together(node, object, [&](const Member& child, auto& at, bool is_there) {
+    met += is_there ? 1 : 0;
+    if (!is_there && !child.standard) return;
+    const json& member = is_there ? at->second : *child.standard;
+    const bool is_leaf = child.members.empty();
+    if (is_leaf && child.dropped && member == *child.dropped) return;  // most are, and that costs no copy
     json rest = without(child, member);
     if (!child.dropped || !(rest == *child.dropped)) kept.emplace(child.key, std::move(rest));
-  };
-  walk_together(node, object, [&](const Member& child, auto& at, bool is_there) {
-    if (is_there || child.standard) keep(child, is_there ? at->second : *child.standard);
   });
+  if (met == object.size()) return kept;
   for (const auto& [key, member] : object) {
     if (!described(node, key)) kept.emplace(key, member);
   }

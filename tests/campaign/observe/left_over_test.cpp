@@ -21,7 +21,7 @@ class LeftOverTest : public ::testing::Test {
   }
   [[nodiscard]] Campaign loaded(const nlohmann::json& document) const {
     Campaign campaign = tests::campaign_of(document);
-    keep_existing_directories(campaign, folder_.path());
+    keep_existing_directories(campaign, folder_.path(), existing_directories(folder_.path()));
     return campaign;
   }
   [[nodiscard]] std::string labels(const nlohmann::json& document) const {

@@ -117,7 +117,7 @@ TEST_F(ObserveTest, AnEndIsToldByTheSummaryOfThatAttemptOrElseByTheExitStatus) {
 TEST_F(ObserveTest, ACaseKeepsItsDirectoryWhenItsLabelChanges) {
   const std::string old = case_.directory;
   campaign_.cases.front().directory = "cases/renamed-" + id_.substr(0, 8);
-  keep_existing_directories(campaign_, folder_.path());
+  keep_existing_directories(campaign_, folder_.path(), existing_directories(folder_.path()));
   EXPECT_EQ(campaign_.cases.front().directory, old);
 }
 
