@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <unordered_map>
 
 namespace softwall::campaign {
 
@@ -22,6 +21,7 @@ SELECT c.label, c.state, c.stale_reason, q.note, c.grid, c.G, c.viscosity_ratio,
 FROM cases c LEFT JOIN quantities q ON q.case_id = c.case_id AND q.quantity = 'batches'
 WHERE c.in_campaign = 1
 ORDER BY c.G IS NOT NULL, c.viscosity_ratio = 1 DESC, c.viscosity_ratio, c.G DESC, c.case_id
+LIMIT ?
 )sql";
 
 std::string fixed(double value, int decimals) {
@@ -41,15 +41,9 @@ int decimals_for(double ci95) {
   return std::clamp(1 - static_cast<int>(std::floor(std::log10(ci95))), 0, kMostDecimals);
 }
 
-void read_values(Connection& store, std::vector<MeasuredCase>& cases) {
-  std::unordered_map<std::string, MeasuredCase*> by_id;
-  for (MeasuredCase& one : cases) by_id.emplace(one.case_id, &one);
-  Statement rows = store.query("SELECT case_id, quantity, value, ci95 FROM quantities");
-  while (rows.step()) {
-    const auto found = by_id.find(rows.text(0));
-    if (found == by_id.end()) continue;  // left over from an earlier version of the campaign file
-    found->second->values[rows.text(1)] = {rows.optional_real(2), rows.optional_real(3)};
-  }
+void read_values(Connection& store, MeasuredCase& of) {
+  Statement rows = store.query("SELECT quantity, value, ci95 FROM quantities WHERE case_id = ?", of.case_id);
+  while (rows.step()) of.values[rows.text(0)] = {rows.optional_real(1), rows.optional_real(2)};
 }
 
 }  // namespace
@@ -59,8 +53,8 @@ MeasuredValue MeasuredCase::value(const std::string& column) const {
   return found == values.end() ? MeasuredValue{} : found->second;
 }
 
-std::vector<MeasuredCase> measured_cases(Connection& store) {
-  Statement rows = store.query(kCases);
+std::vector<MeasuredCase> measured_cases(Connection& store, std::int64_t most) {
+  Statement rows = store.query(kCases, most);
   std::vector<MeasuredCase> cases;
   while (rows.step()) {
     MeasuredCase found;
@@ -80,7 +74,7 @@ std::vector<MeasuredCase> measured_cases(Connection& store) {
     found.flow = rows.text(13);
     cases.push_back(std::move(found));
   }
-  read_values(store, cases);
+  for (MeasuredCase& one : cases) read_values(store, one);
   return cases;
 }
 

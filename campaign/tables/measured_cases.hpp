@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -27,8 +29,10 @@ struct MeasuredCase {
   [[nodiscard]] MeasuredValue value(const std::string& column) const;
 };
 
-/// In the order of the paper's tables; cases left over from an earlier sweep are left out.
-[[nodiscard]] std::vector<MeasuredCase> measured_cases(Connection& store);
+/// In the order of the paper's tables, the first `most` of them; cases left over from an earlier sweep are
+/// left out.
+[[nodiscard]] std::vector<MeasuredCase> measured_cases(
+    Connection& store, std::int64_t most = std::numeric_limits<std::int64_t>::max());
 
 /// "240.5 +- 3.2": as many decimals as two digits of the interval call for, at most 16 characters.
 /// "240.52 (*)": without interval, with so many decimals. "-": no value.

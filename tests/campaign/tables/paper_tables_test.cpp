@@ -219,6 +219,22 @@ TEST_F(PaperTablesTest, ClosingTableHasIntervalsAndUnits) {
   EXPECT_THAT(out.str(), ContainsRegex("G=4_mu=1 +new +- "));
 }
 
+TEST_F(PaperTablesTest, ClosingTableOfAHugeCampaignSaysHowMuchItLeftOut) {
+  for (int number = 0; number < 150; ++number) {
+    CampaignCase more = campaign.cases.front();
+    more.definition.id = "more" + std::to_string(number);
+    more.definition.label = more.definition.id;
+    more.directory = "cases/" + more.definition.id;
+    campaign.cases.push_back(more);
+  }
+  store.record_campaign(campaign);
+  std::ostringstream out;
+  write_closing_table(out, store.connection());
+  const std::string text = out.str();
+  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 100 + 2);
+  EXPECT_THAT(text, HasSubstr("and " + std::to_string(campaign.cases.size() - 100) + " cases more"));
+}
+
 TEST_F(PaperTablesTest, FitsThePageAndHasNoTrailingBlanks) {
   for (const CampaignCase& each : campaign.cases) {
     analysis::DerivedQuantities derived = result_made_of(-123.456);
