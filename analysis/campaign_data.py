@@ -150,11 +150,12 @@ class SeriesCase:
         self.directory = directory
         self.physics = json.loads((directory / "case.json").read_text())["physics"]
         self.cells = self.physics["grid"]["nx"]
-        self.t, self.series = np.array([]), {}
+        self.t, self.block_start, self.series = np.array([]), np.array([]), {}
         statistics = directory / "statistics.h5"
         if statistics.exists():
             with h5py.File(statistics) as file:
-                self.t = file["blocks/start"][:] + 0.5 * (file["blocks/end"][:] - file["blocks/start"][:])
+                self.block_start = file["blocks/start"][:]
+                self.t = (self.block_start + file["blocks/end"][:]) / 2
                 self.series = {name: values[:] for name, values in file["series"].items()}
 
 

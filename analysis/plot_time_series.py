@@ -3,6 +3,7 @@
 transient and the averaging window can be judged by eye."""
 
 from campaign_data import SeriesCase, arguments, caption, plt, read_campaign, save
+from transient import end_of_transient
 
 import numpy as np
 
@@ -30,6 +31,10 @@ def main():
         for panel, values in zip(axes.flat, panels_of(case, whole.series)):
             if values is not None:
                 case.draw(panel, whole.t, values, label=case.name, linewidth=1)
+        end = end_of_transient(case)
+        if end is not None:
+            for panel in axes[1 if case.elastic else 0]:
+                panel.plot(end, 0.02, "^", color=case.colour, markersize=6, transform=panel.get_xaxis_transform())
         if case.elastic:
             for panel in axes.flat:
                 panel.axvline(case.start[0], color="0.6", linewidth=0.6, zorder=0)
@@ -42,7 +47,8 @@ def main():
         panel.set_xlabel(r"$t\,U_b/h$")
         panel.set_ylim(bottom=0)
     axes[0, 1].legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.01, 1))
-    save(figure, options, __file__, caption(cases) + "\nGrey: where the averages of the elastic walls begin. Each point is the mean of a block.")
+    save(figure, options, __file__, caption(cases) + "\nGrey: where the averages of the elastic walls begin. Each point is the mean of a block.\n"
+         "Triangles at the bottom: where the transient of a case seems to end.")
 
 
 if __name__ == "__main__":

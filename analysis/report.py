@@ -13,11 +13,14 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 
 import packages
 
 packages.needed("h5py", "matplotlib", "numpy")
 import figures  # noqa: E402
+from campaign_data import read_campaign  # noqa: E402
+from transient import end_of_transient  # noqa: E402
 
 STYLE = (pathlib.Path(__file__).parent / "report.css").read_text()
 TITLES = {"time_series": "Friction and deformation in time", "friction": "Friction Reynolds numbers",
@@ -31,6 +34,8 @@ QUANTITIES = (("re_tau_w", "Re<sub>τ</sub><sup>w</sup>", 1), ("re_tau", "Re<sub
               ("y_max", "y<sub>M</sub>", 3), ("d", "d", 3), ("k_plus_dk", "k+Δk", 2), ("delta_u_plus", "ΔU<sup>+</sup>", 1),
               ("delta_max", "δ", 4), ("delta_rms", "δ′", 4))
 READINGS = {"table": "G as in the paper's tables", "text": "G as in the paper's text", "half": "Half of the text's G"}
+ID_DIGITS = 8  # of a case's id, in the name of its directory
+WATCH_SECONDS = 60
 WANTED = 0.01  # relative half width of the interval of Re_tau at which a mean counts as converged
 
 
@@ -98,15 +103,23 @@ def cases_section(status, results):
     return "<h2>Cases</h2>" + table(("case", "state", "core-hours", "attempts", "remark", "note on its results"), rows)
 
 
-def results_section(results):
-    head = ("case", *(name for _, name, _ in QUANTITIES), "averaged over t", "friction")
-    rows = [(html.escape(row["label"]), *(measured(row, name, digits) for name, _, digits in QUANTITIES),
-             f"{cell(row['window_start'], 0)}–{cell(row['window_end'], 0)}", verdict(row))
-            for row in results if row["re_tau"] is not None]
-    if not rows:
+def transients(campaign):
+    """When the transient of each case seems to end, by the first digits of its id, with which its directory's name ends."""
+    cases = read_campaign(argparse.Namespace(campaign=campaign, start=None))
+    return {case.directory.name.rpartition("-")[2]: end_of_transient(case) for case in cases}
+
+
+def results_section(results, campaign):
+    measured_rows = [row for row in results if row["re_tau"] is not None]
+    if not measured_rows:
         return "<h2>Results</h2><p>None yet.</p>"
-    return ("<h2>Results</h2><p>Each with the half width of its 95 % confidence interval, where one can be given.</p>"
-            + table(head, rows))
+    ends = transients(campaign)
+    head = ("case", *(name for _, name, _ in QUANTITIES), "transient until t", "averaged over t", "friction")
+    rows = [(html.escape(row["label"]), *(measured(row, name, digits) for name, _, digits in QUANTITIES),
+             cell(ends.get(row["case_id"][:ID_DIGITS]), 0),
+             f"{cell(row['window_start'], 0)}–{cell(row['window_end'], 0)}", verdict(row)) for row in measured_rows]
+    return ("<h2>Results</h2><p>Each with the half width of its 95 % confidence interval, where one can be given. Averages that "
+            "begin before the transient has ended are biased.</p>" + table(head, rows))
 
 
 def paper_section(compared):
@@ -178,10 +191,17 @@ def page(campaign, softwall, start):
     head = (f"<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport content='width=device-width'>"
             f"<title>{name}</title><style>{STYLE}</style><h1>{name}</h1><p>{html.escape(definition.get('description', ''))}</p>"
             f"<p class=summary>{finished} of {len(status['cases'])} cases finished, {hours:.3g} core-hours. Written {now}.</p>")
-    return "".join((head, cases_section(status, results), results_section(results), paper_section(compared),
+    return "".join((head, cases_section(status, results), results_section(results, campaign), paper_section(compared),
                     figures_section(campaign, start), health_section(softwall), provenance_section(softwall),
                     f"<details><summary><h2>Campaign file</h2></summary><pre>{html.escape(json.dumps(definition, indent=1))}</pre>"
                     "</details></html>\n"))
+
+
+def write_whole(output, text):
+    """A reader never sees half a page."""
+    whole = output.with_name(output.name + ".new")
+    whole.write_text(text)
+    whole.replace(output)
 
 
 def main():
@@ -191,15 +211,19 @@ def main():
     parser.add_argument("--from", dest="start", type=float, metavar="T", help="begin the averages at this time, h/U_b")
     parser.add_argument("--softwall", default="softwall", help="the program that is asked for tables and states")
     parser.add_argument("--path", help="what it is asked about, where the campaign's file is not called campaign.json")
+    parser.add_argument("--watch", action="store_true", help="write it again every minute until the run has ended")
     options = parser.parse_args()
     if not (options.campaign / "results.db").exists():
         sys.exit(f"no results in {options.campaign}; run `softwall run` there first")
     output = options.output or options.campaign / "report.html"
-    text = page(options.campaign, Softwall(options.softwall, options.path or options.campaign), options.start)
-    whole = output.with_name(output.name + ".new")  # a reader never sees half a page
-    whole.write_text(text)
-    whole.replace(output)
-    print(output)
+    softwall = Softwall(options.softwall, options.path or options.campaign)
+    while True:
+        running = options.watch and softwall.ask("status")["runner"] is not None  # asked first: the last page has the end
+        write_whole(output, page(options.campaign, softwall, options.start))
+        print(output, flush=True)
+        if not running:
+            break
+        time.sleep(WATCH_SECONDS)
 
 
 if __name__ == "__main__":

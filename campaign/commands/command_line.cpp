@@ -64,7 +64,9 @@ const std::map<std::string, std::string>& examples() {
        "softwall query my-sweep \"SELECT * FROM results WHERE G < 1\" --vertical"},
       {"export", "softwall export my-sweep --csv -o results.csv"},
       {"figures", "softwall figures my-sweep --format pdf -o paper/figures"},
-      {"report", "softwall report my-sweep    # writes my-sweep/report.html"},
+      {"report",
+       "softwall report my-sweep    # writes my-sweep/report.html\n"
+       "softwall report my-sweep --watch"},
       {"verify",
        "softwall verify my-sweep\n"
        "softwall verify my-sweep G=0.5"},
@@ -227,11 +229,13 @@ void CommandLine::add_results_commands() {
       ->check(CLI::IsMember({"png", "pdf", "svg"}))
       ->capture_default_str();
   figures->add_flag("--no-caption", arguments_.no_caption, "Leave out the lines below each figure");
-  CLI::App* report =
-      add("report", "Write one HTML page: cases, tables, figures, provenance",
-          [](const Arguments& given) -> ExitStatus { write_report(given.results(), given.output()); });
+  CLI::App* report = add("report", "Write one HTML page: cases, tables, figures, provenance",
+                         [](const Arguments& given) -> ExitStatus {
+                           write_report(given.results(), {given.output(), given.watch});
+                         });
   report->add_option("-o,--output", arguments_.file,
                      "File to write; default: report.html in the campaign's folder");
+  report->add_flag("--watch", arguments_.watch, "Write it again every minute until the run has ended");
   for (CLI::App* command : {table, query, exporting, figures, report}) {
     command
         ->add_option(

@@ -47,10 +47,13 @@ struct FigureOptions {
 };
 /// Every figure that the campaign's data allow. Python takes the place of this process.
 [[noreturn]] void draw_figures(const WantedResults& wanted, const FigureOptions& options);
-/// One HTML page of the campaign, finished or not; report.html in its folder where no file is named. Python
-/// takes the place of this process.
-[[noreturn]] void write_report(const WantedResults& wanted,
-                               const std::optional<std::filesystem::path>& output);
+
+struct ReportOptions {
+  std::optional<std::filesystem::path> output;  ///< report.html in the campaign's folder where none is given
+  bool watch = false;                           ///< again every minute until the run has ended
+};
+/// One HTML page of the campaign, finished or not. Python takes the place of this process.
+[[noreturn]] void write_report(const WantedResults& wanted, const ReportOptions& options);
 
 /// Checkpoints, summaries and statistics of all cases, or of one (its label or the beginning of its id), read
 /// in full. Changes nothing.

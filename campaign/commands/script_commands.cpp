@@ -70,8 +70,9 @@ void draw_figures(const WantedResults& wanted, const FigureOptions& options) {
   become_script("figures.py", words);
 }
 
-void write_report(const WantedResults& wanted, const std::optional<fs::path>& output) {
-  auto words = common_options(wanted, output);
+void write_report(const WantedResults& wanted, const ReportOptions& options) {
+  auto words = common_options(wanted, options.output);
+  if (options.watch) words.emplace_back("--watch");
   words.insert(words.end(), {"--softwall", own_program(), "--path", wanted.path});
   become_script("report.py", words);
 }

@@ -138,6 +138,20 @@ class Intervals(unittest.TestCase):
         self.assertIsNone(batches.half_width(self.case(np.zeros(12), weight), self.mean))
 
 
+class Transients(unittest.TestCase):
+    def test_a_decaying_start_is_cut_off_where_the_noise_hides_it(self):
+        random = np.random.default_rng(2)
+        t = np.arange(100)
+        for size, early, late in ((10, 8, 45), (0, 0, 35)):
+            found = [transient.first_kept(5 + size * np.exp(-t / 6) + random.standard_normal(100)) for _ in range(50)]
+            self.assertTrue(early <= np.median(found) <= late, (size, sorted(found)))
+        exact = transient.first_kept(np.where(t < 20, 9.0, 5.0))
+        self.assertEqual(exact, 20)
+
+    def test_few_blocks_tell_nothing(self):
+        self.assertIsNone(transient.first_kept(np.ones(7)))
+
+
 if __name__ == "__main__":
     missing = [name for name in ("h5py", "matplotlib") if importlib.util.find_spec(name) is None]
     if missing:
@@ -150,4 +164,5 @@ if __name__ == "__main__":
     import moments
     import plot_correlations
     import plot_wall_surface
+    import transient
     unittest.main(argv=sys.argv[:1])
