@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "samples.hpp"
 
 namespace softwall::analysis {
@@ -43,6 +45,9 @@ struct Window {
   int blocks;
   double rho;
   double least_given;
+  friend std::ostream& operator<<(std::ostream& out, const Window& window) {
+    return out << window.blocks << " blocks, correlation " << window.rho;
+  }
 };
 
 class JackknifeCoverage : public testing::TestWithParam<Window> {};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <csignal>
 #include <memory>
+#include <ostream>
 #include <thread>
 #include <vector>
 
@@ -22,6 +23,9 @@ namespace fs = std::filesystem;
 struct Setting {
   const char* flow;
   int ranks;
+  friend std::ostream& operator<<(std::ostream& out, const Setting& setting) {
+    return out << setting.flow << " on " << setting.ranks;
+  }
 };
 
 class Restart : public testing::TestWithParam<Setting> {

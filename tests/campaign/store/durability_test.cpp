@@ -98,7 +98,10 @@ TEST_P(KillTest, LosesNoAcknowledgedRow) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BothJournals, KillTest,
-                         ::testing::Values(JournalMode::kWriteAheadLog, JournalMode::kRollback));
+                         ::testing::Values(JournalMode::kWriteAheadLog, JournalMode::kRollback),
+                         [](const auto& test) {
+                           return test.param == JournalMode::kRollback ? "Rollback" : "WriteAheadLog";
+                         });
 
 TEST(CreationTest, KilledAtAnyMomentLeavesNoneOrAWholeStore) {
   for (int round = 0; round < 25; ++round) {
