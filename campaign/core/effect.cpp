@@ -68,6 +68,22 @@ std::optional<Mistake> never_sampled(const json& filled, double window_start) {
       "must be less, or no statistics are sampled in the " + quoted(json(steps)) + " steps to the end"};
 }
 
+std::vector<std::string> members_without_effect(const json& physics) {
+  std::vector<std::string> found;
+  const auto add = [&](bool idle, std::initializer_list<const char*> pointers) {
+    if (idle) found.insert(found.end(), pointers.begin(), pointers.end());
+  };
+  const auto is = [&](const char* pointer, const json& value) {
+    const json::json_pointer place(pointer);
+    return physics.contains(place) && physics.at(place) == value;
+  };
+  add(is("/solid/formulation", "reference_map"),
+      {"/solid/interface", "/solid/threshold", "/solid/extension", "/solid/min_eigenvalue"});
+  add(physics.at("time_step").contains("fixed_dt"), {"/time_step/safety", "/solid/dt_plus"});
+  add(is("/initial/amplitude", 0), {"/initial/seed"});
+  return found;
+}
+
 ExclusionUse::ExclusionUse(const json& exclusions) {
   for (const json& members : exclusions) {
     Exclusion& exclusion = exclusions_.emplace_back();

@@ -15,6 +15,9 @@ namespace softwall::campaign {
 /// document with all defaults, free of other mistakes. window_start: of its averages, h/U_b.
 [[nodiscard]] std::optional<Mistake> never_sampled(const nlohmann::json& filled, double window_start);
 
+/// Members of these filled physics that change no result, as the others are; by their pointers.
+[[nodiscard]] std::vector<std::string> members_without_effect(const nlohmann::json& physics);
+
 /// Counts what each member of "exclude" has excluded.
 class ExclusionUse {
  public:

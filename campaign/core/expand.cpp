@@ -13,6 +13,7 @@
 #include "campaign/core/parameters.hpp"
 #include "campaign/core/sweep.hpp"
 #include "solver/case/case_checks.hpp"
+#include "solver/case/case_id.hpp"
 #include "solver/case/case_json.hpp"
 #include "solver/case/case_schema.hpp"
 
@@ -128,7 +129,8 @@ class Expansion {
   struct Made {
     std::vector<CampaignCase> list;
     std::vector<std::vector<json>> values;  ///< [case][swept pointer]; null: it has no such member
-    std::unordered_map<std::string, std::size_t> index;  ///< by id
+    std::unordered_map<std::string, std::size_t> index;      ///< by id
+    std::unordered_map<std::string, std::size_t> by_effect;  ///< by the id without what changes nothing
     SoundValues sound;
   };
 
@@ -254,6 +256,7 @@ class Expansion {
     made.precursor_id = precursor_id;
     made.ranks = is_precursor ? spec_.execution.precursor_ranks : spec_.execution.ranks;
     const std::string id = made.definition.id;
+    if (!is_precursor) note_idle(document.at("physics"), values, to);
     const auto [known, is_new] = to.index.emplace(id, to.list.size());
     if (is_new) {
       to.list.push_back(std::move(made));
@@ -262,6 +265,20 @@ class Expansion {
       note_merged(to.values[known->second], values);
     }
     return id;
+  }
+
+  /// Two cases may differ by name alone: in members that change nothing as the others are.
+  void note_idle(json physics, const std::vector<json>& values, Made& to) {
+    std::vector<Pointer> idle;
+    for (const std::string& pointer : members_without_effect(physics))
+      if (std::ranges::binary_search(swept_, pointer)) idle.emplace_back(pointer);
+    if (idle.empty()) return;
+    for (const Pointer& pointer : idle) {
+      json& object = physics.at(pointer.parent_pointer());
+      if (object.is_object()) object.erase(pointer.back());
+    }
+    const auto [known, is_new] = to.by_effect.emplace(case_id(physics), to.list.size());
+    if (!is_new && known->second < to.values.size()) note_merged(to.values[known->second], values);
   }
 
   /// What a case samples does not depend on the averaging window that is wanted of it now, and the steps of

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <set>
 
 #include "solver/case/case_id.hpp"
@@ -132,6 +133,34 @@ TEST(Expand, RefusesToSweepWhatHasNoEffect) {
   document["sweep"] = json::parse(R"({"grid": {"layer_height": [0.5, 1]}})");
   EXPECT_NE(complaint_about(document).find("layer_height: 0.5 and 1; give the same case"), std::string::npos)
       << complaint_about(document);
+}
+
+TEST(Expand, RefusesToSweepWhatHasAnIdOfItsOwnButNoEffect) {
+  const auto said_of = [](const char* sweep, const std::function<void(json&)>& change) {
+    json document = elastic_campaign();
+    document.erase("precursor");
+    document["physics"]["solid"] = {{"G", 1}};
+    document["sweep"] = json::parse(sweep);
+    change(document["physics"]);
+    return complaint_about(document);
+  };
+  const auto nothing = [](json&) {};
+  for (const char* sweep :
+       {R"({"grid": {"threshold": [0.2, 0.9]}})", R"({"grid": {"min_eigenvalue": [0.01, 0.1]}})",
+        R"({"grid": {"extension": ["column", "normal"]}})",
+        R"({"list": [{"G": 1}, {"G": 2}, {"G": 2, "threshold": 0.3}]})"})
+    EXPECT_NE(said_of(sweep, nothing).find("give the same case"), std::string::npos) << sweep;
+  EXPECT_EQ(said_of(R"({"grid": {"threshold": [0.2, 0.9]}})",
+                    [](json& physics) { physics["solid"]["formulation"] = "transported_B"; }),
+            "");
+  EXPECT_NE(said_of(R"({"grid": {"safety": [0.5, 0.6]}})",
+                    [](json& physics) { physics["time_step"]["fixed_dt"] = 0.01; })
+                .find("time_step/safety: 0.5 and 0.6"),
+            std::string::npos);
+  EXPECT_NE(
+      said_of(R"({"grid": {"seed": [1, 2]}})", [](json& physics) { physics["initial"]["amplitude"] = 0; })
+          .find("initial/seed: 1 and 2"),
+      std::string::npos);
 }
 
 TEST(Expand, RefusesExclusionsThatExcludeNothing) {
