@@ -55,7 +55,10 @@ def draw_all(options, pixels=()):
     """Draws what can be drawn, those named in `pixels` as PNG. Returns the files by the name of the figure, and the reasons
     of the others."""
     folder = pathlib.Path(options.output or pathlib.Path(options.campaign) / "figures")
-    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        sys.exit(f"{folder}: cannot be a folder for the figures: {error.strerror}")
     drawn, reasons = {}, {}
     for name in FIGURES:
         output = folder / f"{name}.{'png' if name in pixels else options.format}"

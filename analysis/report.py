@@ -10,6 +10,7 @@ import html
 import io
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -198,10 +199,20 @@ def page(campaign, softwall, start):
 
 
 def write_whole(output, text):
-    """A reader never sees half a page."""
-    whole = output.with_name(output.name + ".new")
-    whole.write_text(text)
-    whole.replace(output)
+    """A reader never sees half a page. A device, a pipe or a file with several names is written to and stays what it is, and
+    where a link is named, the file is written that it points to."""
+    place = output.resolve()
+    try:
+        if place.exists() and (not place.is_file() or place.stat().st_nlink > 1):
+            place.write_text(text)
+            return
+        whole = place.with_name(place.name + ".new")
+        whole.write_text(text)
+        if place.exists():
+            shutil.copymode(place, whole)
+        whole.replace(place)
+    except OSError as error:
+        sys.exit(f"{output}: cannot write: {error.strerror}")
 
 
 def main():

@@ -1,10 +1,10 @@
-#include <algorithm>
-#include <array>
 #include <iostream>
 #include <sstream>
 
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
+#include "campaign/commands/own_files.hpp"
+#include "campaign/core/words.hpp"
 #include "campaign/store/output_file.hpp"
 #include "campaign/store/query.hpp"
 #include "campaign/store/sqlite.hpp"
@@ -34,21 +34,10 @@ TableFormat table_format(OutputFormat format) {
   return TableFormat::kText;
 }
 
-/// An export must not take the place of what it was made from.
-void refuse_own_files(const std::filesystem::path& file, const std::filesystem::path& folder) {
-  const auto target = std::filesystem::weakly_canonical(file);
-  const auto inside = target.lexically_relative(std::filesystem::weakly_canonical(folder));
-  constexpr std::array<std::string_view, 6> kOwn = {"results.db",    "results.db-wal", "results.db-shm",
-                                                    "campaign.json", "campaign.lock",  "manager.log"};
-  const bool own = std::ranges::find(kOwn, inside.string()) != kOwn.end() || *inside.begin() == "cases";
-  if (own)
-    throw BadInput("export", {{"", file.string() + " belongs to the campaign itself", "another file"}});
-}
-
 void tell_left_out(Connection& store) {
   const std::int64_t cases = left_out(store);
   if (cases == 0) return;
-  std::cerr << "Left out: " << cases << (cases == 1 ? " case" : " cases")
+  std::cerr << "Left out: " << counted(cases, "case")
             << " of earlier versions of the campaign file; the view results_all has them.\n";
 }
 
@@ -94,11 +83,11 @@ ExitStatus export_campaign(const WantedResults& wanted, OutputFormat format,
     write_table(std::cout, results, table_format(format));
     return ExitStatus::kDone;
   }
-  refuse_own_files(*file, folder);
+  refuse_own_files("export", *file, wanted.path);
   std::ostringstream text;
   write_table(text, results, table_format(format));
   write_output(*file, text.str());
-  std::cerr << "Wrote " << results.rows.size() << " cases to " << file->string() << "\n";
+  std::cerr << "Wrote " << counted(std::ssize(results.rows), "case") << " to " << file->string() << "\n";
   return ExitStatus::kDone;
 }
 

@@ -10,6 +10,7 @@
 
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
+#include "campaign/commands/own_files.hpp"
 #include "campaign/system/find_program.hpp"
 
 /// Figures and reports are drawn by Python scripts (analysis/), which softwall finds and becomes.
@@ -54,8 +55,10 @@ fs::path python() {
 }
 
 /// What figures and report have in common.
-std::vector<std::string> common_options(const WantedResults& wanted, const std::optional<fs::path>& output) {
+std::vector<std::string> common_options(const std::string& command, const WantedResults& wanted,
+                                        const std::optional<fs::path>& output) {
   std::vector<std::string> words{folder_with_store(wanted.path)};
+  if (output) refuse_own_files(command, *output, wanted.path);
   if (output) words.insert(words.end(), {"-o", *output});
   if (wanted.from) words.insert(words.end(), {"--from", nlohmann::json(*wanted.from).dump()});
   return words;
@@ -64,14 +67,14 @@ std::vector<std::string> common_options(const WantedResults& wanted, const std::
 }  // namespace
 
 void draw_figures(const WantedResults& wanted, const FigureOptions& options) {
-  auto words = common_options(wanted, options.output);
+  auto words = common_options("figures", wanted, options.output);
   words.insert(words.end(), {"--format", options.format});
   if (!options.caption) words.emplace_back("--no-caption");
   become_script("figures.py", words);
 }
 
 void write_report(const WantedResults& wanted, const ReportOptions& options) {
-  auto words = common_options(wanted, options.output);
+  auto words = common_options("report", wanted, options.output);
   if (options.watch) words.emplace_back("--watch");
   words.insert(words.end(), {"--softwall", own_program(), "--path", wanted.path});
   become_script("report.py", words);

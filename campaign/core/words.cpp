@@ -64,4 +64,8 @@ std::optional<CaseState> state_of(std::string_view word) { return find_value(kSt
 
 std::optional<AttemptOutcome> outcome_of(std::string_view word) { return find_value(kOutcomes, word); }
 
+std::string counted(std::int64_t number, const std::string& noun) {
+  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
 }  // namespace softwall::campaign

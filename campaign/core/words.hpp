@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "campaign/core/attempt.hpp"
@@ -13,5 +15,8 @@ namespace softwall::campaign {
 [[nodiscard]] std::string_view word_of(AttemptOutcome outcome);
 [[nodiscard]] std::optional<CaseState> state_of(std::string_view word);
 [[nodiscard]] std::optional<AttemptOutcome> outcome_of(std::string_view word);
+
+/// "1 case", "2 cases"; noun: one that takes an s.
+[[nodiscard]] std::string counted(std::int64_t number, const std::string& noun);
 
 }  // namespace softwall::campaign

@@ -59,6 +59,8 @@ class Reports(EndToEndTest):
         for words in ("4 of 4 cases finished", "<b>bold & plain</b>", "Half of the text's G", "Every attempt"):
             self.assertIn(words, page.text)
         self.assertIn(f"{row['re_tau_w']:.1f}", page.text)
+        refused = subprocess.run([SOFTWALL, "report", study, "-o", study], capture_output=True, text=True, timeout=WAIT)
+        self.assertEqual(refused.returncode, 2, refused.stderr)
 
     def test_an_unfinished_campaign_is_reported(self):
         campaign = self.campaign(LONG)
