@@ -92,7 +92,10 @@ std::string trouble_with_newest(const RunFiles& run, const std::string& case_id)
 class Verification {
  public:
   Verification(const LoadedCampaign& loaded, Findings& findings) : loaded_(loaded), findings_(findings) {
-    if (std::filesystem::exists(store_path(loaded.folder))) store_ = open_store();
+    if (std::filesystem::exists(store_path(loaded.folder)))
+      store_ = open_store();
+    else if (std::filesystem::exists(loaded.folder / "cases"))
+      tell_of_store("", "is missing; softwall rebuild makes it again");
     if (store_) check_store();
   }
 
@@ -121,6 +124,8 @@ class Verification {
   template <class Tell>
   void check_at_rest(const CampaignCase& one, const RunFiles& run, const Tell& tell) {
     const std::string& id = one.definition.id;
+    if (store_ && !std::filesystem::exists(run.summary()))
+      tell(run.summary(), trouble_with_no_summary(*store_, id));
     if (std::filesystem::exists(run.summary())) {
       if (std::filesystem::exists(run.run_record()) || (store_ && has_handle(*store_, id)))
         tell(run.run_record(), trouble_with_run_record(run, id));

@@ -62,6 +62,8 @@ std::string difference_of_attempt(const Store& store, const CampaignCase& one, c
   const PastAttempt& stored = attempts.back();
   const AttemptEnd told = describe_end(one, run, summary->attempt, std::nullopt);
   const bool in_order = stored.end.outcome == told.outcome;
+  if (stored.end.outcome == AttemptOutcome::kFinished && summary->outcome != "finished")
+    return "tells another outcome than the store";
   if (in_order && stored.end.exit_code && is_of_the_solver(*stored.end.exit_code, *summary) &&
       stored.end.exit_code != summary->exit_code)
     return "tells another exit status than the store";
@@ -77,6 +79,14 @@ std::string difference_of_attempt(const Store& store, const CampaignCase& one, c
   if (stored.start.host != summary->host || stored.start.ranks != summary->ranks)
     return "names another host or other ranks than the store";
   return same_diagnostics(stored.end, told) ? "" : "has other diagnostics than the store";
+}
+
+std::string trouble_with_no_summary(const Store& store, const std::string& case_id) {
+  const auto attempts = store.past_attempts(case_id);
+  if (attempts.empty()) return "";
+  return attempts.back().end.outcome == AttemptOutcome::kFinished
+             ? "is missing; the last attempt had ended with one"
+             : "";
 }
 
 }  // namespace softwall::campaign

@@ -13,4 +13,7 @@ namespace softwall::campaign {
 [[nodiscard]] std::string difference_of_attempt(const Store& store, const CampaignCase& one,
                                                 const RunFiles& run);
 
+/// Of a case without a summary.json: whether its newest attempt can have ended as the store says.
+[[nodiscard]] std::string trouble_with_no_summary(const Store& store, const std::string& case_id);
+
 }  // namespace softwall::campaign
