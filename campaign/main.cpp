@@ -38,10 +38,10 @@ std::string advice_for(const SqliteError& error) {
 }
 
 /// A result that did not reach its reader was not delivered. What `run` has done, though, is done.
-ExitStatus delivered(ExitStatus status) {
+ExitStatus delivered(ExitStatus status, bool runs) {
   if (std::cout << std::flush) return status;
   std::cerr << "softwall: cannot write to standard output\n";
-  return status == ExitStatus::kDone ? ExitStatus::kError : status;
+  return status == ExitStatus::kDone && !runs ? ExitStatus::kError : status;
 }
 
 /// Names the program, unless the message names a file of the user's first.
@@ -59,7 +59,7 @@ ExitStatus run_reporting_errors(int count, char** words) {
   };
   try {
     const ExitStatus status = run_command_line(count, words);
-    return runs ? status : delivered(status);
+    return delivered(status, runs);
   } catch (const BadInput& error) {
     return fail(ExitStatus::kBadInput, printable_lines(error.what()) + "\n", error.mistakes);
   } catch (const CampaignOwned& error) {
@@ -77,6 +77,6 @@ ExitStatus run_reporting_errors(int count, char** words) {
 
 int main(int count, char** words) {
   softwall::open_standard_streams();
-  softwall::campaign::expect_children();
+  softwall::campaign::begin_with_signals();
   return static_cast<int>(softwall::campaign::run_reporting_errors(count, words));
 }

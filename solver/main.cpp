@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <iostream>
 
 #include "solver/case/option_number.hpp"
 #include "solver/case/standard_streams.hpp"
@@ -40,7 +41,8 @@ int main(int argc, char** argv) {
   try {
     options = parse(app, argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(softwall::ExitCode::kBadCase);
+    if (app.exit(error) != 0) return static_cast<int>(softwall::ExitCode::kBadCase);
+    return std::cout << std::flush ? 0 : static_cast<int>(softwall::ExitCode::kFailed);  // help or version
   }
   softwall::become_right_program(options.files, argv);
   const softwall::parallel::Session mpi(&argc, &argv);

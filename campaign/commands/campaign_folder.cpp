@@ -20,6 +20,14 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(path, unreadable);
 }
 
+/// A relative path leads nowhere when the folder that one stands in has been deleted.
+void require_current_folder(const fs::path& path) {
+  std::error_code gone;
+  if (path.is_absolute() || !fs::current_path(gone).empty()) return;
+  throw BadInput(path.string(),
+                 {{"", "a relative path, but the current folder is not there any more", "an absolute path"}});
+}
+
 fs::path campaign_file(const fs::path& path) {
   if (!is_folder(path)) return path;
   std::error_code unreadable;
@@ -39,6 +47,7 @@ fs::path folder_of(const fs::path& path) {
 }  // namespace
 
 LoadedCampaign load_campaign(const fs::path& path) {
+  require_current_folder(path);
   const fs::path file = campaign_file(path);
   LoadedCampaign loaded{read_campaign(file), folder_of(file), {}};
   const CaseDirectories directories = existing_directories(loaded.folder);
@@ -66,6 +75,7 @@ std::vector<Observation> observe_for_run(const LoadedCampaign& loaded, const Lau
 }
 
 fs::path folder_with_store(const fs::path& path) {
+  require_current_folder(path);
   const fs::path folder = folder_of(path);
   std::error_code unreadable;
   if (!fs::exists(store_path(folder), unreadable)) {

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/core/words.hpp"
 #include "campaign/launch/launch_environment.hpp"
 #include "campaign/launch/scratch.hpp"
 #include "campaign/launch/start_program.hpp"
@@ -91,13 +92,10 @@ void ProcessLauncher::prepare(const std::filesystem::path& solver, int ranks) {
   }
   programs_ = {*mpirun, solver};
   if (ranks == 0) return;
-  ProcessLauncher idle({*mpirun, find_on_path("true").value_or("/bin/true")});
+  ProcessLauncher idle({*mpirun, find_on_path("echo").value_or("/bin/echo")});
   const std::string trouble = trouble_with_launch(idle, ranks);
   if (trouble.empty()) return;
-  throw BadInput(
-      "mpirun",
-      {{"", mpirun->string() + " cannot start " + std::to_string(ranks) + (ranks == 1 ? " rank" : " ranks"),
-        trouble}});
+  throw BadInput("mpirun", {{"", mpirun->string() + " cannot start " + counted(ranks, "rank"), trouble}});
 }
 
 Handle ProcessLauncher::start(const LaunchRequest& request) {

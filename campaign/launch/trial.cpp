@@ -61,11 +61,13 @@ std::string try_in(const RunFiles& run, Launcher& launcher, int ranks) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     ended = launcher.collect();
   }
-  if (ended.empty()) return "it has not ended after a minute; " + words_in(run.log());
-  if (ended.front().exit_code == 0) return "";
   const std::string words = words_in(run.log());
-  return "exit status " + std::to_string(ended.front().exit_code.value_or(-1)) +
-         (words.empty() ? "" : ": " + words);
+  const std::string said = words.empty() ? "" : ": " + words;
+  if (ended.empty()) return "it has not ended after a minute" + said;
+  const int exit_code = ended.front().exit_code.value_or(-1);
+  if (exit_code != 0) return "exit status " + std::to_string(exit_code) + said;
+  const bool has_started = words.find(run.directory.string()) != std::string::npos;
+  return has_started ? "" : "it ends at once and starts nothing" + said;
 }
 
 }  // namespace

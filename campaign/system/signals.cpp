@@ -47,10 +47,12 @@ void Signals::wait(std::chrono::milliseconds limit) {
   }
 }
 
-void expect_children() {
-  struct sigaction usual {};
-  usual.sa_handler = SIG_DFL;
-  sigaction(SIGCHLD, &usual, nullptr);
+void begin_with_signals() {
+  struct sigaction action {};
+  action.sa_handler = SIG_DFL;
+  sigaction(SIGCHLD, &action, nullptr);
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGXFSZ, &action, nullptr);
 }
 
 void restore_default_signals() {

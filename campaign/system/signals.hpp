@@ -30,9 +30,10 @@ class Signals {
   int stop_requests_ = 0;
 };
 
-/// At the start of a program that has children: where SIGCHLD is ignored, as one may inherit it, the kernel
-/// forgets a child as soon as it ends, and nobody can be told how it ended.
-void expect_children();
+/// At the start of the program. Where SIGCHLD is ignored, as one may inherit it, the kernel forgets a child
+/// as soon as it ends, and nobody can be told how it ended. And a file that would exceed the limit of the
+/// shell (ulimit -f) is to be an error that can be told, not the end.
+void begin_with_signals();
 
 /// In a child between fork and exec: give it the signal handling of a fresh process.
 void restore_default_signals();

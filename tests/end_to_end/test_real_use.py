@@ -6,6 +6,7 @@ import shutil
 import sqlite3
 import subprocess
 import unittest
+from pathlib import Path
 
 from harness import SOFTWALL, EndToEndTest, changed, seeded
 
@@ -103,6 +104,12 @@ class RealUse(EndToEndTest):
                 answer = subprocess.run(campaign.command(words[0], *words[1:]), stdout=full, stderr=subprocess.PIPE)
                 self.assertEqual(answer.returncode, 1, answer.stderr)
                 self.assertIn(b"standard output", answer.stderr)
+        with open("/dev/full", "w") as full:
+            again = subprocess.run(campaign.command("run"), stdout=full, stderr=subprocess.PIPE)
+            self.assertEqual(again.returncode, 0, "what was computed is there")
+            self.assertIn(b"standard output", again.stderr)
+            version = subprocess.run([Path(SOFTWALL).parent / "softwall-dns", "--version"], stdout=full, stderr=subprocess.PIPE)
+            self.assertEqual(version.returncode, 1)
 
     def test_verify_finds_what_was_changed(self):
         campaign = self.campaign(changed(RIGID, run={"end_time": 1, "checkpoint_steps": 4}))
@@ -127,6 +134,8 @@ class RealUse(EndToEndTest):
         summary = folder / "summary.json"
         damages = [newest.unlink, lambda: newest.write_bytes(sound[older]), (folder / "run.json").unlink,
                    lambda: (folder / "case.json").write_bytes(sound[folder / "case.json"].replace(b"100", b"101")),
+                   (campaign.folder / "results.db").unlink, summary.unlink,
+                   lambda: summary.write_bytes(sound[summary].replace(b'"finished"', b'"interrupted"')),
                    change_a_result]
         for _ in range(10):
             at, bit = chance.randrange(len(sound[summary])), chance.randrange(8)
@@ -203,7 +212,8 @@ class RealUse(EndToEndTest):
         self.assertIn("rigid_channel", target.read_text())
         self.assertEqual(campaign.call("export", "--csv", "-o", "/dev/null").returncode, 0)
         for own in ("results.db", "campaign.json", "cases/x.csv"):
-            self.assertEqual(campaign.call("export", "--csv", "-o", str(campaign.folder / own)).returncode, 2, own)
+            for words in (("export", "--csv"), ("report",), ("figures",)):
+                self.assertEqual(campaign.call(*words, "-o", str(campaign.folder / own)).returncode, 2, own)
         self.assertEqual(len(campaign.query("SELECT * FROM results")), 1)
 
     def test_strange_names_reach_no_terminal_and_commands_can_be_copied(self):

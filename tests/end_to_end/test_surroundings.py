@@ -96,7 +96,27 @@ class Surroundings(EndToEndTest):
         for command in ("run", "plan"):
             answer = campaign.call(command, env={**os.environ, "PATH": path})
             self.assertIn("exit status 255: unrecognized argument use-hwthread-cpus", answer.stderr)
+        other.write_text("#!/bin/sh\nexit 0\n")
+        idle = campaign.call("run", env={**os.environ, "PATH": path})
+        self.assertEqual(idle.returncode, 2, idle.stderr)
+        self.assertIn("it ends at once and starts nothing", idle.stderr)
         self.assertEqual(list(campaign.folder.glob("cases")), [])
+
+    def test_a_limit_on_the_size_of_files_is_an_error_that_is_told(self):
+        campaign = self.campaign(SHORT)
+        limited = campaign.call("run", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20480, 20480)))
+        self.assertGreater(limited.returncode, 0, "not a signal")
+        self.assertIn("softwall", limited.stderr)
+        self.run_to_end(campaign)
+
+    def test_a_relative_path_from_a_deleted_folder_is_explained(self):
+        campaign = self.campaign(SHORT)
+        gone = campaign.folder / "gone"
+        gone.mkdir()
+        answer = subprocess.run(["sh", "-c", f'cd "$0" && rmdir "$0" && exec "$@"', gone, SOFTWALL, "status", "../campaign.json"],
+                                capture_output=True, text=True)
+        self.assertEqual(answer.returncode, 2, answer.stderr)
+        self.assertIn("the current folder is not there any more", answer.stderr)
 
     def test_the_solver_alone_writes_a_checkpoint_when_its_terminal_is_closed(self):
         campaign = self.campaign(LONG)

@@ -32,7 +32,7 @@ TEST(Signals, WhatWasIgnoredAtTheStartStaysIgnored) {
 TEST(Signals, TheEndOfAChildIsHeardOfAlthoughSigchldWasIgnored) {
   test::ChildProcess program([] {
     std::signal(SIGCHLD, SIG_IGN);
-    expect_children();
+    begin_with_signals();
     const pid_t child = fork();
     if (child == 0) _exit(7);
     int status = 0;
