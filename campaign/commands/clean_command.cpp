@@ -4,6 +4,7 @@
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/left_behind.hpp"
 #include "campaign/commands/preflight.hpp"
+#include "campaign/core/words.hpp"
 #include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/runner/campaign_lock.hpp"
@@ -42,7 +43,7 @@ ExitStatus clean_campaign(const std::filesystem::path& path, bool really) {
     remove(loaded, one);
     std::cout << "removed " << printable(one.directory) << "\n";
   }
-  std::cout << cases.size() << (cases.size() == 1 ? " case" : " cases") << " removed.\n";
+  std::cout << counted(std::ssize(cases), "case") << " removed.\n";
   return ExitStatus::kDone;
 }
 

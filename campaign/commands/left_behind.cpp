@@ -56,8 +56,8 @@ void print_left_behind(std::ostream& out, const LoadedCampaign& loaded,
   if (cases.empty()) return;
   double core_hours = 0;
   for (const LeftBehind& one : cases) core_hours += one.core_hours;
-  out << "\nLeft behind by changes of the campaign file, kept on disk, not in its results: " << cases.size()
-      << (cases.size() == 1 ? " case" : " cases") << " that took " << short_number(core_hours)
+  out << "\nLeft behind by changes of the campaign file, kept on disk, not in its results: "
+      << counted(std::ssize(cases), "case") << " that took " << short_number(core_hours)
       << " core-hours. To remove:  " << softwall_command("clean", loaded.named) << " --remove\n";
   for (std::size_t i = 0; i < std::min(cases.size(), kMostExplained); ++i) {
     const LeftBehind& one = cases[i];

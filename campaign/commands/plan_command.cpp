@@ -12,6 +12,7 @@
 #include "campaign/core/eta.hpp"
 #include "campaign/core/machine.hpp"
 #include "campaign/core/plan.hpp"
+#include "campaign/core/words.hpp"
 #include "campaign/launch/make_launcher.hpp"
 #include "campaign/runner/wording.hpp"
 #include "campaign/store/result_table.hpp"
@@ -107,11 +108,11 @@ void print_text(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
                           short_number(cost.core_hours)});
   }
   write_table(std::cout, table, TableFormat::kText);
-  std::cout << "\n" << printable(loaded.campaign.name) << ": " << planned.cases.size() << " cases";
+  std::cout << "\n" << printable(loaded.campaign.name) << ": " << counted(std::ssize(planned.cases), "case");
   for (const auto& [outlook, number] : counts) std::cout << ", " << number << " " << outlook;
   const int cores = loaded.campaign.execution.cores;
   std::cout << "; about " << short_number(core_hours) << " core-hours to do.\n"
-            << "On " << cores << (cores == 1 ? " core" : " cores") << " of this machine: about "
+            << "On " << counted(cores, "core") << " of this machine: about "
             << describe_duration(planned.wall_seconds) << "; memory " << gigabytes(planned.ready.memory_bytes)
             << " of " << gigabytes(planned.ready.machine_memory_bytes) << "; disk for checkpoints "
             << gigabytes(planned.ready.disk_bytes) << ", free " << gigabytes(planned.ready.disk_free_bytes)

@@ -8,6 +8,7 @@
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/preflight.hpp"
+#include "campaign/core/words.hpp"
 #include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/left_over.hpp"
 #include "campaign/observe/observe.hpp"
@@ -149,10 +150,9 @@ ExitStatus rebuild_store(const std::filesystem::path& path) {
   set_old_store_aside(store_path(loaded.folder));
   publish_file(store_path(workshop.place()), store_path(loaded.folder));
   std::cerr << "Made " << printable(store_path(loaded.folder).string())
-            << " from the run directories: " << loaded.campaign.cases.size() << " cases, " << count.results
-            << " results"
-            << (left_over.empty() ? "" : ", " + std::to_string(left_over.size()) + " left-over cases")
-            << ".\n";
+            << " from the run directories: " << counted(std::ssize(loaded.campaign.cases), "case") << ", "
+            << counted(count.results, "result")
+            << (left_over.empty() ? "" : ", " + counted(std::ssize(left_over), "left-over case")) << ".\n";
   return count.without == 0 ? ExitStatus::kDone : ExitStatus::kFailedCases;
 }
 

@@ -3,6 +3,7 @@
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/preflight.hpp"
+#include "campaign/core/words.hpp"
 #include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/left_over.hpp"
 #include "campaign/runner/campaign_lock.hpp"
@@ -15,10 +16,6 @@
 
 namespace softwall::campaign {
 namespace {
-
-std::string count(std::size_t number, const std::string& noun) {
-  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
-}
 
 /// The results with as many digits as their 95 % intervals call for.
 void print_results(const std::filesystem::path& folder) {
@@ -39,13 +36,13 @@ void print_report(const RunnerReport& report, const LoadedCampaign& loaded) {
   };
   std::cerr << "\n"
             << printable(loaded.campaign.name) << ": " << report.finished << " of "
-            << count(report.cases, "case") << " finished.\n";
+            << counted(report.cases, "case") << " finished.\n";
   if (!report.failed.empty()) {
-    std::cerr << count(report.failed.size(), "case") << " failed:\n";
+    std::cerr << counted(report.failed.size(), "case") << " failed:\n";
     explain(report.failed);
   }
   if (!report.unfinished.empty()) {
-    std::cerr << count(report.unfinished.size(), "case") << " not finished:\n";
+    std::cerr << counted(report.unfinished.size(), "case") << " not finished:\n";
     explain(report.unfinished);
     std::cerr << "To go on:  " << softwall_command("resume", loaded.named) << "\n";
   }
@@ -74,10 +71,10 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   {
     Progress progress(loaded.folder / "manager.log");
     Store store = Store::open(loaded.folder, OpenMode::kCreate);
-    progress.event(loaded.campaign.name + ": " + count(loaded.campaign.cases.size(), "case") + " in " +
+    progress.event(loaded.campaign.name + ": " + counted(loaded.campaign.cases.size(), "case") + " in " +
                    loaded.folder.string());
     if (const auto left = left_over_cases(loaded.campaign, loaded.folder); !left.empty()) {
-      progress.event(count(left.size(), "case") + " of earlier versions of the campaign file left out; " +
+      progress.event(counted(left.size(), "case") + " of earlier versions of the campaign file left out; " +
                      softwall_command("clean", loaded.named) + " lists them");
     }
     RunnerOptions runner_options;

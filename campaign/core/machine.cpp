@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "campaign/core/words.hpp"
 #include "solver/case/rank_sharing.hpp"
 
 namespace softwall::campaign {
@@ -42,8 +43,7 @@ std::vector<Mistake> obstacles(const CampaignCase& one, const Execution& executi
   const int cores = execution.cores > 0 ? execution.cores : machine.cores;
   if (one.ranks > cores) {
     found.push_back({where, std::to_string(one.ranks),
-                     "this machine has " + std::to_string(cores) + (cores == 1 ? " core" : " cores") +
-                         "; execution.cores may say otherwise"});
+                     "this machine has " + counted(cores, "core") + "; execution.cores may say otherwise"});
   }
   const GridSpec& grid = one.definition.physics.grid;
   if (const std::string problem = sharing_problem(one.ranks, grid.nx, grid.nz); !problem.empty())

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "campaign/core/sweep.hpp"
+#include "campaign/core/words.hpp"
 #include "schemas/embedded.hpp"
 #include "solver/case/json_text.hpp"
 
@@ -29,7 +30,7 @@ void check_cores(const json& execution, std::vector<Mistake>& mistakes) {
   for (const char* key : {"ranks", "precursor_ranks"})
     if (const int ranks = execution.at(key); cores > 0 && ranks > cores)
       mistakes.push_back({std::string("/execution/") + key, std::to_string(ranks),
-                          "at most the " + std::to_string(cores) + " cores given"});
+                          "execution.cores gives " + counted(cores, "core")});
 }
 
 /// Ranks of a precursor are nobody's where there is none.

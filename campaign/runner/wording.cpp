@@ -4,13 +4,14 @@
 #include <array>
 #include <cstdio>
 
+#include "campaign/core/words.hpp"
 #include "campaign/system/clock.hpp"
 #include "solver/case/time_comparison.hpp"
 
 namespace softwall::campaign {
 namespace {
 
-std::string ranks_text(int ranks) { return std::to_string(ranks) + (ranks == 1 ? " rank" : " ranks"); }
+std::string ranks_text(int ranks) { return counted(ranks, "rank"); }
 
 std::string place(double time, std::int64_t step) {
   return "t = " + short_number(time) + " (step " + std::to_string(step) + ")";
@@ -52,7 +53,7 @@ std::string describe_end_of_attempt(const CampaignCase& one, const AttemptEnd& e
 }
 
 std::string describe_stop(int asked, std::size_t working) {
-  const std::string cases = std::to_string(working) + (working == 1 ? " case" : " cases");
+  const std::string cases = counted(working, "case");
   if (working == 0) return "stopping";
   if (asked == 1)
     return "stopping: waiting for " + cases + " to write a checkpoint (Ctrl-C again: do not wait)";

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "analysis/log_law.hpp"
+#include "campaign/core/words.hpp"
 #include "campaign/store/text_width.hpp"
 #include "campaign/tables/comparison.hpp"
 #include "campaign/tables/reading_fit.hpp"
@@ -109,8 +110,7 @@ void write_fits(std::ostream& out, const std::vector<MeasuredCase>& cases) {
       out << "no case with results\n";
     } else {
       out << short_number(std::round(1e3 * fit.departure) / 1e3) << ", " << fit.values << " values of "
-          << fit.cases << (fit.cases == 1 ? " case" : " cases")
-          << (&fit == best_of(fits) ? "; the least\n" : "\n");
+          << counted(fit.cases, "case") << (&fit == best_of(fits) ? "; the least\n" : "\n");
     }
   }
 }

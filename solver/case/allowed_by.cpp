@@ -37,6 +37,8 @@ std::string size_limits(const json& node) {
   if (node.contains("maxLength"))
     text += std::string(text.empty() ? "" : " and") + " of at most " + node.at("maxLength").dump() +
             " characters";
+  if (node.contains("minProperties"))
+    text += " with at least " + node.at("minProperties").dump() + " member(s)";
   if (node.contains("minItems")) text += " with at least " + node.at("minItems").dump() + " member(s)";
   if (node.contains("maxItems"))
     text +=
