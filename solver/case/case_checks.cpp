@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "solver/case/interface_mode.hpp"
+#include "solver/case/json_schema.hpp"
 #include "solver/case/wall_normal_grid.hpp"
 
 namespace softwall {
@@ -79,7 +80,7 @@ void check_layer_cells(const SoundMembers& members, std::vector<Mistake>& mistak
 /// What only a closed box has.
 void check_no_box(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
   if (const auto height = members.get<double>("/physics/domain/height"); height && *height != 2.0)
-    mistakes.push_back({"/physics/domain/height", std::to_string(*height), "must be 2 in a channel"});
+    mistakes.push_back({"/physics/domain/height", quoted(json(*height)), "must be 2 in a channel"});
   if (members.get<std::string>("/physics/time_step/viscosity") == "implicit")
     mistakes.push_back({"/physics/time_step/viscosity", "implicit", "must be \"explicit\" in a channel"});
   if (member_at(filled, "/physics/solid/disc"))
@@ -195,7 +196,7 @@ void check_closed_box(const SoundMembers& members, const json& filled, std::vect
   if (const auto nz = members.get<int>("/physics/grid/nz"); nz.value_or(1) != 1)
     mistakes.push_back({"/physics/grid/nz", std::to_string(*nz), "must be 1 in a closed box: it is flat"});
   if (const auto s = members.get<double>("/physics/grid/stretching"); s.value_or(0) != 0)
-    mistakes.push_back({"/physics/grid/stretching", std::to_string(*s), "must be 0 in a closed box"});
+    mistakes.push_back({"/physics/grid/stretching", quoted(json(*s)), "must be 0 in a closed box"});
   const auto ratio = members.get<double>("/physics/solid/viscosity_ratio");
   if (ratio.value_or(1) != 1 && members.get<std::string>("/physics/time_step/viscosity") == "implicit")
     mistakes.push_back({"/physics/time_step/viscosity", "implicit", "needs viscosity_ratio 1"});
