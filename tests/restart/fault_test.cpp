@@ -202,6 +202,23 @@ TEST(FullDisk, EndsWith75AndTheLastCheckpointResumes) {
   expect_same_results(run, whole);
 }
 
+TEST(AttemptThatWasReplaced, LeavesWithoutAWord) {
+  json definition = rigid_case(20);
+  const SolverRun whole(definition), run(definition);
+  ASSERT_EQ(whole.run(1, "--attempt 2").code, 0);
+  std::ofstream(run.files().run_record())
+      << json{{"format", 1}, {"case_id", whole.summary().at("case_id")}, {"attempt", 2}, {"started", ""}};
+  const Ended early = run.run(1, "--attempt 1");
+  EXPECT_EQ(early.code, 1);
+  EXPECT_NE(early.output.find("attempt 2 has taken the place of this one, 1"), std::string::npos)
+      << early.output;
+  EXPECT_FALSE(fs::exists(run.files().summary()));
+  EXPECT_TRUE(run.newest_checkpoint().empty());
+  EXPECT_EQ(run.run(1, "--attempt 2").code, 0);
+  expect_same_results(run, whole);
+  EXPECT_EQ(run.run(1).code, 0) << "a person who starts the solver by hand knows what he does";
+}
+
 TEST(ReadOnlyFolder, IsNamed) {
   const SolverRun run;
   const SmallDisk disk(run.files().directory, "size=10m");
