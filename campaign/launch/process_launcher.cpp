@@ -12,6 +12,7 @@
 #include "campaign/core/words.hpp"
 #include "campaign/launch/launch_environment.hpp"
 #include "campaign/launch/scratch.hpp"
+#include "campaign/launch/solver_log.hpp"
 #include "campaign/launch/start_program.hpp"
 #include "campaign/launch/trial.hpp"
 #include "campaign/system/clock.hpp"
@@ -27,29 +28,6 @@ namespace {
 
 // Ranks notice the death of their mpirun after about one second (measured, Open MPI 4.1.4).
 constexpr double kRankGraceSeconds = 5.0;
-
-bool is_too_large(const std::filesystem::path& log) {
-  constexpr std::uintmax_t kLargest = 16U << 20U;
-  std::error_code none;
-  const auto size = std::filesystem::file_size(log, none);
-  return !none && size > kLargest;
-}
-
-/// A log that many attempts have written into makes room for a new one; the one before is kept beside it.
-void keep_small(const std::filesystem::path& log) {
-  std::error_code none;
-  if (is_too_large(log)) std::filesystem::rename(log, log.string() + ".old", none);
-}
-
-/// Makes room in a log while an attempt writes it. The attempt appends, so that it goes on at the new end.
-/// What it writes between the two steps is lost, and so is the copy where the disk is full.
-void keep_small_while_written(const std::filesystem::path& log) {
-  if (!is_too_large(log)) return;
-  std::error_code none;
-  std::filesystem::copy_file(log, log.string() + ".old", std::filesystem::copy_options::overwrite_existing,
-                             none);
-  std::filesystem::resize_file(log, 0, none);
-}
 
 /// Asks processes of one attempt to end.
 void signal_attempt(const std::vector<pid_t>& processes, StopLevel level) {

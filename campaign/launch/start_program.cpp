@@ -32,9 +32,15 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   return pointers;
 }
 
+FileDescriptor open_to_append(const std::filesystem::path& log) {
+  FileDescriptor opened(open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644));
+  if (!opened) throw_errno("cannot write " + log.string(), errno);
+  return opened;
+}
+
 struct ChildSetup {
   pid_t parent;
-  int input, output;  ///< descriptors: standard input, log
+  int input, output, errors;  ///< descriptors: standard input, log, standard error
   const char* folder;
   char* const* arguments;
   char* const* environment;
@@ -57,7 +63,7 @@ int become_program(void* given) {
   restore_default_signals();
   dup2(setup.input, STDIN_FILENO);
   dup2(setup.output, STDOUT_FILENO);
-  dup2(setup.output, STDERR_FILENO);
+  dup2(setup.errors, STDERR_FILENO);
   if (chdir(setup.folder) == 0) execve(setup.arguments[0], setup.arguments, setup.environment);
   setup.error = errno;
   _exit(127);
@@ -90,11 +96,12 @@ pid_t start_program(ProgramStart start) {
   std::string& session = start.environment.back();
 
   const FileDescriptor input(open("/dev/null", O_RDONLY | O_CLOEXEC));
-  const FileDescriptor output(open(start.log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644));
-  if (!output) throw_errno("cannot write " + start.log.string(), errno);
+  const FileDescriptor output = open_to_append(start.log);
+  const FileDescriptor errors = start.errors.empty() ? FileDescriptor() : open_to_append(start.errors);
   ChildSetup setup{.parent = getpid(),
                    .input = input.get(),
                    .output = output.get(),
+                   .errors = errors ? errors.get() : output.get(),
                    .folder = start.folder.c_str(),
                    .arguments = arguments.data(),
                    .environment = environment.data(),

@@ -1,10 +1,6 @@
 #include "campaign/observe/observe.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <csignal>
 #include <map>
 #include <optional>
@@ -16,20 +12,15 @@
 #include "campaign/core/label.hpp"
 #include "campaign/observe/ladder.hpp"
 #include "campaign/observe/run_reports.hpp"
+#include "campaign/system/file_system.hpp"
 #include "campaign/system/process_identity.hpp"
 #include "solver/case/bad_input.hpp"
-#include "solver/case/file_descriptor.hpp"
 #include "solver/case/time_comparison.hpp"
 #include "solver/run_directory/checkpoint_header.hpp"
 #include "solver/run_directory/exit_codes.hpp"
 
 namespace softwall::campaign {
 namespace {
-
-bool lock_is_held(const std::filesystem::path& file) {
-  const FileDescriptor lock(open(file.c_str(), O_RDONLY | O_CLOEXEC));
-  return lock && flock(lock.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-}
 
 /// Success is the solver's own end record, of this case, at or past the end time; nothing else proves it.
 bool is_finished(const Summary& summary, const CampaignCase& campaign_case) {

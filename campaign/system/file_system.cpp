@@ -1,5 +1,7 @@
 #include "campaign/system/file_system.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/vfs.h>
 
@@ -10,6 +12,7 @@
 #include <string>
 #include <system_error>
 
+#include "solver/case/file_descriptor.hpp"
 #include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
@@ -51,6 +54,11 @@ std::string change_time(const std::filesystem::path& path) {
   const auto since_1970 =
       std::chrono::seconds(status.st_ctim.tv_sec) + std::chrono::nanoseconds(status.st_ctim.tv_nsec);
   return utc_text(std::chrono::floor<std::chrono::milliseconds>(since_1970));
+}
+
+bool lock_is_held(const std::filesystem::path& file) {
+  const FileDescriptor lock(open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  return lock && flock(lock.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
 }
 
 }  // namespace softwall::campaign

@@ -23,4 +23,7 @@ enum class JournalMode {
 /// nobody can set, unlike that of modification. Empty when it is not there.
 [[nodiscard]] std::string change_time(const std::filesystem::path& path);
 
+/// Whether any process holds the lock (flock) of a file; false where there is no such file.
+[[nodiscard]] bool lock_is_held(const std::filesystem::path& file);
+
 }  // namespace softwall::campaign
