@@ -54,7 +54,7 @@ LoadedCampaign load_campaign(const fs::path& path) {
   if (const auto existing = existing_cases(loaded.campaign, loaded.folder, directories); !existing.empty())
     loaded.campaign = read_campaign(file, existing);
   Execution& execution = loaded.campaign.execution;
-  execution.cores = cores_to_use(execution.cores, *make_launcher(execution.launcher));
+  execution.cores = cores_to_use(execution.cores, *make_launcher(execution));
   loaded.named = file.filename() == kCampaignFile ? loaded.folder : loaded.folder / file.filename();
   keep_existing_directories(loaded.campaign, loaded.folder, directories);
   return loaded;

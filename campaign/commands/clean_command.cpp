@@ -17,7 +17,7 @@ namespace {
 /// The store first: a row without a directory would be a result that nobody can look into.
 void remove(const LoadedCampaign& loaded, const LeftBehind& one) {
   const RunFiles run{loaded.folder / one.directory};
-  if (is_occupied(run, *make_launcher(loaded.campaign.execution.launcher)))
+  if (is_occupied(run, *make_launcher(loaded.campaign.execution)))
     throw std::runtime_error("a solver works in " + run.directory.string());
   if (std::filesystem::exists(store_path(loaded.folder))) {
     Store store = Store::open(loaded.folder, OpenMode::kReadWrite);

@@ -37,7 +37,7 @@ struct PlannedCampaign {
 
 PlannedCampaign plan_all(const LoadedCampaign& loaded) {
   const Campaign& campaign = loaded.campaign;
-  const auto launcher = make_launcher(campaign.execution.launcher);
+  const auto launcher = make_launcher(campaign.execution);
   const auto observations = observe_for_run(loaded, *launcher);
   const auto decisions = decide(campaign, observations);
   const MeasuredSpeed speed(campaign, observations);
@@ -60,6 +60,7 @@ PlannedCampaign plan_all(const LoadedCampaign& loaded) {
 }
 
 void print_json(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
+  const int cores = loaded.campaign.execution.cores;
   nlohmann::ordered_json cases = nlohmann::json::array(), refused = nlohmann::json::array(),
                          left = nlohmann::json::array();
   for (const auto& [one, decision, cost] : planned.cases) {
@@ -83,17 +84,31 @@ void print_json(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
                     {"core_hours", one.core_hours},
                     {"reason", one.reason}});
   }
-  const nlohmann::ordered_json plan = {{"campaign", loaded.campaign.name},
-                                       {"cores", loaded.campaign.execution.cores},
-                                       {"wall_seconds", planned.wall_seconds},
-                                       {"disk_bytes", planned.ready.disk_bytes},
-                                       {"disk_free_bytes", planned.ready.disk_free_bytes},
-                                       {"memory_bytes", planned.ready.memory_bytes},
-                                       {"machine_memory_bytes", planned.ready.machine_memory_bytes},
-                                       {"refused", refused},
-                                       {"cases", cases},
-                                       {"left_behind", left}};
+  const nlohmann::ordered_json plan = {
+      {"campaign", loaded.campaign.name},
+      {"cores", cores == kUnlimitedCores ? nlohmann::ordered_json() : nlohmann::ordered_json(cores)},
+      {"wall_seconds", planned.wall_seconds},
+      {"disk_bytes", planned.ready.disk_bytes},
+      {"disk_free_bytes", planned.ready.disk_free_bytes},
+      {"memory_bytes", planned.ready.memory_bytes},
+      {"machine_memory_bytes", planned.ready.machine_memory_bytes},
+      {"refused", refused},
+      {"cases", cases},
+      {"left_behind", left}};
   std::cout << plan.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+}
+
+/// "On 2 cores of this machine: about 3 min; memory 1 GB of 8 GB"
+std::string where_and_how_long(const Execution& execution, const PlannedCampaign& planned) {
+  const int cores = execution.cores;
+  const std::string time = ": about " + describe_duration(planned.wall_seconds);
+  const std::string those = counted(cores, "core");
+  if (planned.ready.machine_memory_bytes > 0)
+    return "On " + those + " of this machine" + time + "; memory " + gigabytes(planned.ready.memory_bytes) +
+           " of " + gigabytes(planned.ready.machine_memory_bytes);
+  const std::string most = cores == kUnlimitedCores ? "all of them at once" : those + " at once";
+  return "By " + execution.launcher + ", " + most + " and without waiting" + time + "; memory together " +
+         gigabytes(planned.ready.memory_bytes);
 }
 
 void print_text(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
@@ -110,11 +125,8 @@ void print_text(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
   write_table(std::cout, table, TableFormat::kText);
   std::cout << "\n" << printable(loaded.campaign.name) << ": " << counted(std::ssize(planned.cases), "case");
   for (const auto& [outlook, number] : counts) std::cout << ", " << number << " " << outlook;
-  const int cores = loaded.campaign.execution.cores;
   std::cout << "; about " << short_number(core_hours) << " core-hours to do.\n"
-            << "On " << counted(cores, "core") << " of this machine: about "
-            << describe_duration(planned.wall_seconds) << "; memory " << gigabytes(planned.ready.memory_bytes)
-            << " of " << gigabytes(planned.ready.machine_memory_bytes) << "; disk for checkpoints "
+            << where_and_how_long(loaded.campaign.execution, planned) << "; disk for checkpoints "
             << gigabytes(planned.ready.disk_bytes) << ", free " << gigabytes(planned.ready.disk_free_bytes)
             << ".\n";
   print_left_behind(std::cout, loaded, planned.left_behind);

@@ -96,7 +96,7 @@ struct Count {
 };
 
 Count fill(Store& store, const LoadedCampaign& loaded, const std::vector<CampaignCase>& left_over) {
-  const auto launcher = make_launcher(loaded.campaign.execution.launcher);
+  const auto launcher = make_launcher(loaded.campaign.execution);
   const auto past = [&] {
     std::vector<CampaignCase> all = loaded.campaign.cases;
     all.insert(all.end(), left_over.begin(), left_over.end());

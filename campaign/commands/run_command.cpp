@@ -61,7 +61,7 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   const LoadedCampaign loaded = load_campaign(path);
   require_writable(loaded.folder);
   const CampaignLock lock(loaded.folder);
-  const auto launcher = make_launcher(loaded.campaign.execution.launcher);
+  const auto launcher = make_launcher(loaded.campaign.execution);
   const Preflight ready = preflight(loaded, observe_for_run(loaded, *launcher), *launcher);
   require_nothing_in_the_way(ready, loaded.folder);
 

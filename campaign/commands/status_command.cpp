@@ -40,7 +40,7 @@ struct Snapshot {
 Snapshot look(const LoadedCampaign& loaded) {
   Snapshot now;
   now.owner = living_owner(loaded.folder);
-  now.observations = observe_with_history(loaded, *make_launcher(loaded.campaign.execution.launcher));
+  now.observations = observe_with_history(loaded, *make_launcher(loaded.campaign.execution));
   for (std::size_t i = 0; i < now.observations.size(); ++i) {
     if (!now.observations[i].running) continue;
     const CampaignCase& one = loaded.campaign.cases[i];
@@ -60,6 +60,13 @@ std::pair<double, std::int64_t> reached(const Snapshot& now, const Observation& 
   return {status->second.time, status->second.step};
 }
 
+/// What a case is at: its state, or, of one that has been started, whether its attempt waits, works or cannot
+/// be asked about.
+std::string state_words(const Observation& seen) {
+  const bool started = seen.running && seen.presence != Presence::kGone;
+  return std::string(started ? word_of(seen.presence) : word_of(seen.state));
+}
+
 void print_json(const LoadedCampaign& loaded, const Snapshot& now) {
   nlohmann::ordered_json cases = nlohmann::json::array();
   for (std::size_t i = 0; i < now.observations.size(); ++i) {
@@ -69,7 +76,7 @@ void print_json(const LoadedCampaign& loaded, const Snapshot& now) {
     cases.push_back({{"label", one.definition.label},
                      {"case_id", one.definition.id},
                      {"directory", one.directory},
-                     {"state", std::string(word_of(seen.state))},
+                     {"state", state_words(seen)},
                      {"reason", seen.reason},
                      {"time", time},
                      {"end_time", seen.end_time},
@@ -122,7 +129,7 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now,
     const Observation& seen = now.observations[i];
     const auto [time, step] = reached(now, seen);
     table.rows.push_back(
-        {loaded.campaign.cases[i].definition.label, std::string(word_of(seen.state)), short_number(time),
+        {loaded.campaign.cases[i].definition.label, state_words(seen), short_number(time),
          short_number(seen.end_time), static_cast<std::int64_t>(percent_done(time, seen.end_time)), step,
          std::int64_t{seen.attempts}, seen.state == CaseState::kFinished ? std::string() : seen.reason});
   }

@@ -193,7 +193,7 @@ ExitStatus verify_campaign(const std::filesystem::path& path, const std::optiona
   std::vector<RunFiles> runs;
   for (const CampaignCase* one : cases) runs.push_back(run_files(loaded.folder, *one));
   const bool owned = living_owner(loaded.folder).has_value();  // who starts one case while we look at another
-  const auto busy = occupied(runs, *make_launcher(loaded.campaign.execution.launcher));
+  const auto busy = occupied(runs, *make_launcher(loaded.campaign.execution));
   Verification verification(loaded, findings);
   for (std::size_t i = 0; i < cases.size(); ++i) verification.check(*cases[i], runs[i], owned || busy[i]);
   std::cout << findings.checked << " files checked, " << findings.wrong << " bad." << std::endl;

@@ -60,7 +60,7 @@ std::string difference_of_attempt(const Store& store, const CampaignCase& one, c
     return "is of attempt " + std::to_string(summary->attempt) + ", which the store does not know";
   }
   const PastAttempt& stored = attempts.back();
-  const AttemptEnd told = describe_end(one, run, summary->attempt, std::nullopt);
+  const AttemptEnd told = describe_end(one, run, summary->attempt);
   const bool in_order = stored.end.outcome == told.outcome;
   if (stored.end.outcome == AttemptOutcome::kFinished && summary->outcome != "finished")
     return "tells another outcome than the store";

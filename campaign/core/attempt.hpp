@@ -8,6 +8,14 @@
 /// One launch of the solver for a case: what is known before it, and what it left.
 namespace softwall::campaign {
 
+/// Whether an attempt is still there.
+enum class Presence {
+  kQueued,   ///< accepted, not yet begun
+  kRunning,  ///< a process of it is at work
+  kGone,     ///< nothing of it is left
+  kUnknown   ///< nobody answers at the moment; it must be taken for running
+};
+
 /// How an attempt ended.
 enum class AttemptOutcome {
   kFinished,       ///< end time reached, summary written

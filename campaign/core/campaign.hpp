@@ -6,19 +6,32 @@
 #include <string>
 #include <vector>
 
+#include "campaign/core/attempt.hpp"
 #include "solver/case/case.hpp"
 
 /// The words of the manager. Campaign: what is wanted. Observation: what is there.
 namespace softwall::campaign {
 
+/// What every job of a campaign asks of Slurm. What is empty is the cluster's default.
+struct SlurmOptions {
+  std::string account, partition;
+  std::optional<int> time_limit_minutes;
+  std::optional<int> nodes;
+  int signal_seconds = 0;                  ///< Slurm asks for a checkpoint so long before the time limit
+  std::string start_with;                  ///< "mpirun" or "srun"
+  std::vector<std::string> start_options;  ///< words that follow it
+  std::vector<std::string> options;        ///< of sbatch, "--name" or "--name=value"
+};
+
 /// Where and how cases are run; changes no number computed.
 struct Execution {
-  std::string launcher;                    ///< "local"
+  std::string launcher;                    ///< "local" or "slurm"
   int ranks = 1;                           ///< MPI ranks of an elastic case
   int precursor_ranks = 1;                 ///< MPI ranks of a precursor
   int cores = 0;                           ///< cores to use at once; 0: all of the machine
   std::optional<double> walltime_seconds;  ///< of one attempt, which then checkpoints and is resumed
   int max_failures_without_progress = 2;   ///< attempts in a row that add no checkpointed step
+  SlurmOptions slurm;                      ///< for the launcher "slurm"
 };
 
 /// One point of the sweep, or a precursor.
@@ -58,6 +71,7 @@ struct Observation {
   double time = 0.0;      ///< its time, h/U_b
   double end_time = 0.0;  ///< asked for, h/U_b
   bool running = false;
+  Presence presence = Presence::kGone;                     ///< of the attempt that makes it count as running
   std::optional<std::filesystem::path> newest_checkpoint;  ///< newest one that is valid
   int attempts = 0;
   int attempts_without_progress = 0;  ///< the last ones in a row that added no step

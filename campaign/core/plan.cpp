@@ -18,7 +18,7 @@ class Planner {
   [[nodiscard]] Decision decide(const CampaignCase& c) const {
     const Observation& seen = observation(c.definition.id);
     if (seen.running || seen.state == CaseState::kRunning)
-      return made(c, Outlook::kRunning, "a solver is at work on it");
+      return made(c, Outlook::kRunning, why_running(seen.presence));
     if (is_finished(c)) return made(c, Outlook::kKept, "finished");
     if (const std::string why = why_blocked(c, seen); !why.empty()) return made(c, Outlook::kBlocked, why);
     if (seen.newest_checkpoint)
@@ -33,6 +33,12 @@ class Planner {
   }
 
  private:
+  static std::string why_running(Presence presence) {
+    if (presence == Presence::kQueued) return "its job waits in the queue";
+    if (presence == Presence::kUnknown) return "its job may be at work, nobody can say at the moment";
+    return "a solver is at work on it";
+  }
+
   static Decision made(const CampaignCase& c, Outlook outlook, std::string reason) {
     return {c.definition.id, outlook, std::move(reason)};
   }

@@ -1,6 +1,9 @@
 #include "campaign/core/spec.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
 
 #include "campaign/core/sweep.hpp"
 #include "campaign/core/words.hpp"
@@ -12,6 +15,26 @@ namespace {
 
 using nlohmann::json;
 
+constexpr const char* kSlurm = "slurm";  // execution.launcher, and the member that belongs to it
+
+template <class Value>
+std::optional<Value> member_if_there(const json& object, const char* name) {
+  return object.contains(name) ? std::optional(object.at(name).get<Value>()) : std::nullopt;
+}
+
+SlurmOptions slurm_from(const json& object) {
+  SlurmOptions slurm;
+  slurm.account = object.value("account", "");
+  slurm.partition = object.value("partition", "");
+  slurm.time_limit_minutes = member_if_there<int>(object, "time_limit_minutes");
+  slurm.nodes = member_if_there<int>(object, "nodes");
+  slurm.signal_seconds = object.at("signal_seconds");
+  slurm.start_with = object.at("start_with");
+  slurm.start_options = object.at("start_options");
+  slurm.options = object.at("options");
+  return slurm;
+}
+
 Execution execution_from(const json& object) {
   Execution execution;
   execution.launcher = object.at("launcher");
@@ -19,9 +42,9 @@ Execution execution_from(const json& object) {
   const int precursor_ranks = object.at("precursor_ranks");
   execution.precursor_ranks = precursor_ranks == 0 ? execution.ranks : precursor_ranks;
   execution.cores = object.at("cores");
-  if (object.contains("walltime_seconds"))
-    execution.walltime_seconds = object.at("walltime_seconds").get<double>();
+  execution.walltime_seconds = member_if_there<double>(object, "walltime_seconds");
   execution.max_failures_without_progress = object.at("max_failures_without_progress");
+  if (execution.launcher == kSlurm) execution.slurm = slurm_from(object.at("slurm"));
   return execution;
 }
 
@@ -41,6 +64,59 @@ void check_precursor_ranks(const json& document, std::vector<Mistake>& mistakes)
                         "has no effect: this campaign has no precursor, leave it out"});
 }
 
+/// Options of sbatch that softwall sets itself: by them it finds a job again, keeps its log and its attempts
+/// in order, or has a key of its own.
+constexpr std::array<std::string_view, 26> kOptionsOfOurs = {
+    "--account",  "--array",     "--chdir",      "--clusters", "--dependency", "--error",     "--hold",
+    "--input",    "--job-name",  "--no-requeue", "--nodes",    "--ntasks",     "--open-mode", "--output",
+    "--parsable", "--partition", "--quiet",      "--requeue",  "--signal",     "--test-only", "--time",
+    "--time-min", "--wait",      "--wrap",       "--help",     "--version"};
+
+/// sbatch takes "--part" for "--partition", and none of its other options has such a beginning as its name.
+bool is_ours(std::string_view option) {
+  const auto name = option.substr(0, option.find('='));
+  return std::ranges::any_of(kOptionsOfOurs, [&](std::string_view ours) { return ours.starts_with(name); });
+}
+
+void check_slurm_options(const json& options, std::vector<Mistake>& mistakes) {
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    const std::string option = options[i];
+    if (is_ours(option))
+      mistakes.push_back({"/execution/slurm/options/" + std::to_string(i), quoted(options[i]),
+                          "an option that softwall does not set itself, or has a key for"});
+  }
+}
+
+/// Seconds that end an attempt, each earlier than the one after it: by its own clock, by the time limit.
+void check_slurm_times(const json& execution, std::vector<Mistake>& mistakes) {
+  const json& slurm = execution.at(kSlurm);
+  if (!slurm.contains("time_limit_minutes")) return;
+  const double limit = 60.0 * slurm.at("time_limit_minutes").get<int>();
+  const std::string within = "less than the time limit, " + normalised_number(limit).dump() + " s";
+  if (const int signal = slurm.at("signal_seconds"); signal >= limit)
+    mistakes.push_back({"/execution/slurm/signal_seconds", std::to_string(signal), within});
+  if (execution.contains("walltime_seconds") && execution.at("walltime_seconds").get<double>() >= limit)
+    mistakes.push_back({"/execution/walltime_seconds", execution.at("walltime_seconds").dump(), within});
+}
+
+void check_slurm(const json& execution, std::vector<Mistake>& mistakes) {
+  if (!execution.contains(kSlurm)) return;
+  if (execution.at("launcher") != kSlurm) {
+    mistakes.push_back(
+        {"/execution/slurm", quoted(execution.at(kSlurm)), "has no effect: the launcher is not slurm"});
+    return;
+  }
+  check_slurm_options(execution.at(kSlurm).at("options"), mistakes);
+  check_slurm_times(execution, mistakes);
+}
+
+/// Jobs have defaults of their own also where nothing is asked of Slurm.
+bool is_for_slurm(const json& document) {
+  const auto execution = document.find("execution");
+  return execution != document.end() && execution->is_object() &&
+         execution->value("launcher", json()) == json(kSlurm);
+}
+
 /// Defaults of the campaign's own members; those of the physics belong to the case and are filled in there,
 /// after the precursor's and the sweep's values have been put over the common ones.
 json filled(const json& document) {
@@ -48,6 +124,7 @@ json filled(const json& document) {
   own.erase("physics");
   own.erase("precursor");
   own.erase("run");
+  if (is_for_slurm(own) && !own["execution"].contains(kSlurm)) own["execution"][kSlurm] = json::object();
   campaign_schema().fill_defaults(own);
   for (const char* key : {"physics", "precursor", "run"})
     if (document.contains(key)) own[key] = document.at(key);
@@ -71,6 +148,7 @@ void add_cross_checks(const json& document, std::vector<Mistake>& mistakes) {
   if (sound({"/execution"}, mistakes)) {
     check_cores(document.at("execution"), mistakes);
     check_precursor_ranks(document, mistakes);
+    check_slurm(document.at("execution"), mistakes);
   }
 }
 

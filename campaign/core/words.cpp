@@ -21,6 +21,13 @@ constexpr std::array<Word<CaseState>, 6> kStates = {{
     {CaseState::kFailed, "failed"},
 }};
 
+constexpr std::array<Word<Presence>, 4> kPresences = {{
+    {Presence::kQueued, "queued"},
+    {Presence::kRunning, "running"},
+    {Presence::kGone, "gone"},
+    {Presence::kUnknown, "unknown"},
+}};
+
 constexpr std::array<Word<AttemptOutcome>, 14> kOutcomes = {{
     {AttemptOutcome::kFinished, "finished"},
     {AttemptOutcome::kInterrupted, "interrupted"},
@@ -59,6 +66,8 @@ std::optional<Value> find_value(const std::array<Word<Value>, count>& words, std
 std::string_view word_of(CaseState state) { return find_word(kStates, state); }
 
 std::string_view word_of(AttemptOutcome outcome) { return find_word(kOutcomes, outcome); }
+
+std::string_view word_of(Presence presence) { return find_word(kPresences, presence); }
 
 std::optional<CaseState> state_of(std::string_view word) { return find_value(kStates, word); }
 

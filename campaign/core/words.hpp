@@ -13,6 +13,8 @@ namespace softwall::campaign {
 
 [[nodiscard]] std::string_view word_of(CaseState state);
 [[nodiscard]] std::string_view word_of(AttemptOutcome outcome);
+/// "queued", "running", "unknown"; "gone"
+[[nodiscard]] std::string_view word_of(Presence presence);
 [[nodiscard]] std::optional<CaseState> state_of(std::string_view word);
 [[nodiscard]] std::optional<AttemptOutcome> outcome_of(std::string_view word);
 

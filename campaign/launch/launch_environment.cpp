@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 
 #include "campaign/system/find_program.hpp"
@@ -37,7 +38,20 @@ bool is_set(const std::vector<std::string>& environment, std::string_view name) 
   });
 }
 
+/// What a job that we are in has left for its own programs, and what would change the answers of Slurm's
+/// commands.
+constexpr std::array<std::string_view, 10> kOfAnotherJob = {
+    "SLURM_", "SLURMD_", "SRUN_", "SALLOC_", "SQUEUE_", "SACCT_", "SCANCEL_", "PMI_", "PMI2_", "PMIX_"};
+
 }  // namespace
+
+std::vector<std::string> scheduler_environment(const std::vector<std::string>& inherited) {
+  std::vector<std::string> kept;
+  std::ranges::copy_if(inherited, std::back_inserter(kept), [](const std::string& entry) {
+    return entry.starts_with("SLURM_CONF") || !begins_with_one_of(entry, kOfAnotherJob);
+  });
+  return kept;
+}
 
 std::vector<std::string> launch_environment(const std::vector<std::string>& inherited,
                                             const std::filesystem::path& run_directory,

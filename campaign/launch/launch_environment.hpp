@@ -18,6 +18,11 @@ namespace softwall::campaign {
                                                           const std::filesystem::path& run_directory,
                                                           const Scratch& scratch);
 
+/// The environment of a scheduler's commands, and by them of its jobs: the inherited one, without what
+/// belongs to a job that this softwall may itself be in. Where the scheduler is found (SLURM_CONF) and how a
+/// person chooses defaults (SBATCH_...) stays.
+[[nodiscard]] std::vector<std::string> scheduler_environment(const std::vector<std::string>& inherited);
+
 /// The environment of this process.
 [[nodiscard]] std::vector<std::string> own_environment();
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "campaign/core/attempt.hpp"
+
 namespace softwall::campaign {
 
 /// One launch of the solver for a case.
@@ -17,11 +19,18 @@ struct LaunchRequest {
   std::optional<double> wall_seconds;  ///< the solver checkpoints and ends in time for this
 };
 
+/// What a scheduler says about the end of an attempt; it counts where the solver itself has left no word.
+struct Verdict {
+  AttemptOutcome outcome = AttemptOutcome::kLost;
+  std::string reason;
+};
+
 /// What an attempt leaves behind once none of its processes is left.
 struct EndedAttempt {
   std::string case_id;
   /// The exit status as a shell shows it: 128 + signal for a killed launcher. Empty: nobody saw it.
   std::optional<int> exit_code;
+  std::optional<Verdict> verdict = std::nullopt;
 };
 
 /// How firmly an attempt is asked to end.
@@ -37,16 +46,8 @@ struct AttemptPlace {
   Handle handle;
 };
 
-/// Whether an attempt is still there.
-enum class Presence {
-  kQueued,   ///< accepted, not yet begun
-  kRunning,  ///< a process of it is at work
-  kGone,     ///< nothing of it is left
-  kUnknown   ///< nobody answers at the moment; it must be taken for running
-};
-
-/// Where attempts run: this machine today, a batch system later. The one border behind which processes,
-/// queues and their commands are known. make_launcher() chooses the one that a campaign asks for.
+/// Where attempts run: this machine or a batch system. The one border behind which processes, queues and
+/// their commands are known. make_launcher() chooses the one that a campaign asks for.
 class Launcher {
  public:
   virtual ~Launcher() = default;
@@ -54,12 +55,20 @@ class Launcher {
   /// Needed once before the first start(): finds what starting takes and, where ranks is not 0, tries whether
   /// so many can be started. Throws BadInput with the launcher's own words where they cannot.
   virtual void prepare(const std::filesystem::path& solver, int ranks) = 0;
+  /// By which the attempt will be found that start() is about to start, should nobody live to see it return.
+  /// Empty where an attempt ends together with the softwall that starts it.
+  [[nodiscard]] virtual Handle intended(const LaunchRequest&) const { return {}; }
   /// Starts an attempt. Throws std::runtime_error when it cannot be started.
   [[nodiscard]] virtual Handle start(const LaunchRequest& request) = 0;
   /// Takes over an attempt that an earlier softwall started: true when it goes on by itself and collect()
   /// will report its end; false when attempts of this kind are to be ended, and started again from their
   /// checkpoint.
   [[nodiscard]] virtual bool adopt(const LaunchRequest& request, const Handle& handle) = 0;
+  /// Whether attempts go on when the softwall that started them leaves. They are then left alone, and the
+  /// next softwall adopts them.
+  [[nodiscard]] virtual bool attempts_stay() const { return false; }
+  /// What people should know about the launcher itself, once each.
+  [[nodiscard]] virtual std::vector<std::string> news() { return {}; }
   /// Attempts that ended since the last call. Does not wait.
   virtual std::vector<EndedAttempt> collect() = 0;
   /// True when no attempt that was started or adopted is left to collect.
@@ -80,9 +89,12 @@ class Launcher {
   [[nodiscard]] virtual std::optional<int> capacity() const = 0;
 };
 
+/// Where a scheduler decides and the campaign sets no limit of its own.
+inline constexpr int kUnlimitedCores = std::numeric_limits<int>::max();
+
 /// Cores to use at once: as many as were asked for, or else (0) all that there are.
 [[nodiscard]] inline int cores_to_use(int asked, const Launcher& launcher) {
-  return asked > 0 ? asked : launcher.capacity().value_or(std::numeric_limits<int>::max());
+  return asked > 0 ? asked : launcher.capacity().value_or(kUnlimitedCores);
 }
 
 }  // namespace softwall::campaign

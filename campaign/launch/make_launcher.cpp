@@ -3,6 +3,7 @@
 #include <array>
 
 #include "campaign/launch/process_launcher.hpp"
+#include "campaign/launch/slurm_launcher.hpp"
 #include "solver/case/bad_input.hpp"
 
 namespace softwall::campaign {
@@ -10,20 +11,25 @@ namespace {
 
 struct Kind {
   const char* name;
-  std::unique_ptr<Launcher> (*make)();
+  std::unique_ptr<Launcher> (*make)(const Execution&);
 };
 
-constexpr std::array<Kind, 1> kKinds = {{
-    {"local", [] { return std::unique_ptr<Launcher>(std::make_unique<ProcessLauncher>()); }},
+constexpr std::array<Kind, 2> kKinds = {{
+    {"local",
+     [](const Execution&) { return std::unique_ptr<Launcher>(std::make_unique<ProcessLauncher>()); }},
+    {"slurm",
+     [](const Execution& execution) {
+       return std::unique_ptr<Launcher>(std::make_unique<SlurmLauncher>(execution.slurm));
+     }},
 }};
 
 }  // namespace
 
-std::unique_ptr<Launcher> make_launcher(const std::string& name) {
+std::unique_ptr<Launcher> make_launcher(const Execution& execution) {
   for (const Kind& kind : kKinds) {
-    if (name == kind.name) return kind.make();
+    if (execution.launcher == kind.name) return kind.make(execution);
   }
-  throw BadInput("execution.launcher", {{"", name, "a launcher of this softwall"}});
+  throw BadInput("execution.launcher", {{"", execution.launcher, "a launcher of this softwall"}});
 }
 
 std::vector<std::string> launcher_names() {

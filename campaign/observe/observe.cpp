@@ -162,7 +162,7 @@ RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& camp
   return {std::filesystem::absolute(folder) / campaign_case.directory};
 }
 
-std::vector<bool> occupied(const std::vector<RunFiles>& runs, const Launcher& launcher) {
+std::vector<Presence> presences(const std::vector<RunFiles>& runs, const Launcher& launcher) {
   if (runs.empty()) return {};
   std::vector<AttemptPlace> places;
   std::vector<std::size_t> there;  // nobody works in a directory that has not been made
@@ -172,10 +172,18 @@ std::vector<bool> occupied(const std::vector<RunFiles>& runs, const Launcher& la
     places.push_back({runs[i].directory, record ? record->handle : Handle()});
     there.push_back(i);
   }
-  const auto presences = launcher.presences(places);
-  std::vector<bool> found(runs.size(), false);
-  for (std::size_t k = 0; k < there.size(); ++k)
-    found[there[k]] = presences[k] != Presence::kGone || lock_is_held(runs[there[k]].lock());
+  const auto seen = launcher.presences(places);
+  std::vector<Presence> found(runs.size(), Presence::kGone);
+  for (std::size_t k = 0; k < there.size(); ++k) {
+    const bool inside = seen[k] == Presence::kGone && lock_is_held(runs[there[k]].lock());
+    found[there[k]] = inside ? Presence::kRunning : seen[k];
+  }
+  return found;
+}
+
+std::vector<bool> occupied(const std::vector<RunFiles>& runs, const Launcher& launcher) {
+  std::vector<bool> found;
+  for (const Presence presence : presences(runs, launcher)) found.push_back(presence != Presence::kGone);
   return found;
 }
 
@@ -212,12 +220,18 @@ Observation without_lost_checkpoints(Observation observation) {
 
 namespace {
 
-Observation observe_work(const CampaignCase& campaign_case, const RunFiles& run, bool busy) {
+/// What there is to be said of an attempt that has not ended.
+std::string remark_on(Presence presence) {
+  return presence == Presence::kUnknown ? "not known whether it runs" : "";
+}
+
+Observation observe_work(const CampaignCase& campaign_case, const RunFiles& run, Presence presence) {
   Observation observation = observe_files(campaign_case, run);
-  if (!busy) return observation;
+  observation.presence = presence;
+  if (presence == Presence::kGone) return observation;
   observation.running = true;
   observation.state = CaseState::kRunning;
-  observation.reason.clear();  // it spoke of an end that is over
+  observation.reason = remark_on(presence);  // what it was spoke of an end that is over
   if (const auto status = read_status(run, observation.case_id)) {
     observation.seconds_per_step = status->seconds_per_step;
   }
@@ -227,32 +241,36 @@ Observation observe_work(const CampaignCase& campaign_case, const RunFiles& run,
 }  // namespace
 
 Observation observe(const CampaignCase& campaign_case, const RunFiles& run, const Launcher& launcher) {
-  return observe_work(campaign_case, run, is_occupied(run, launcher));
+  return observe_work(campaign_case, run, presences({run}, launcher).front());
 }
 
 std::vector<Observation> observe_all(const std::vector<const CampaignCase*>& cases,
                                      const std::filesystem::path& folder, const Launcher& launcher) {
   std::vector<RunFiles> runs;
   for (const CampaignCase* one : cases) runs.push_back(run_files(folder, *one));
-  const auto busy = occupied(runs, launcher);
+  const auto seen = presences(runs, launcher);
   std::vector<Observation> all;
-  for (std::size_t i = 0; i < runs.size(); ++i) all.push_back(observe_work(*cases[i], runs[i], busy[i]));
+  for (std::size_t i = 0; i < runs.size(); ++i) all.push_back(observe_work(*cases[i], runs[i], seen[i]));
   return all;
 }
 
 AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, int attempt,
-                        std::optional<int> exit_code) {
+                        const EndedAttempt& seen) {
+  const auto& exit_code = seen.exit_code;
   const std::string& id = campaign_case.definition.id;
   AttemptEnd end;
   if (const auto summary = read_summary(run, id); summary && summary->attempt == attempt) {
     end = end_from_summary(*summary, campaign_case);
+  } else if (seen.verdict) {
+    end.outcome = seen.verdict->outcome;
+    end.reason = seen.verdict->reason;
   } else if (exit_code) {
     const Meaning meaning = meaning_of(*exit_code);
     end.outcome = meaning.outcome;
     end.reason = std::string(meaning.text) + " (exit status " + std::to_string(*exit_code) + ")";
   } else {
     end.outcome = AttemptOutcome::kLost;
-    end.reason = "ended together with the softwall that had started it";
+    end.reason = "ended while no softwall watched it";
   }
   if (exit_code) end.exit_code = exit_code;
   if (!end.step) {

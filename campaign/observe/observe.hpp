@@ -16,8 +16,10 @@ namespace softwall::campaign {
 /// The run directory of a case in the campaign's folder, absolute.
 [[nodiscard]] RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& campaign_case);
 
-/// One answer a run directory, after one look at all of them. True while an attempt is queued or at work in
-/// the run directory as its launcher sees it, or while anybody holds the solver's lock.
+/// One answer a run directory, after one look at all of them: of the attempt there as its launcher sees it,
+/// or running while anybody holds the solver's lock.
+[[nodiscard]] std::vector<Presence> presences(const std::vector<RunFiles>& runs, const Launcher& launcher);
+/// True where an attempt is not gone.
 [[nodiscard]] std::vector<bool> occupied(const std::vector<RunFiles>& runs, const Launcher& launcher);
 [[nodiscard]] bool is_occupied(const RunFiles& run, const Launcher& launcher);
 
@@ -42,10 +44,10 @@ namespace softwall::campaign {
                                                    const std::filesystem::path& folder,
                                                    const Launcher& launcher);
 
-/// Why and how an attempt ended that no process works on any more. exit_code: of its launcher, empty when the
-/// runner did not live to see it.
+/// Why and how an attempt ended that no process works on any more. seen: what its launcher saw of the end;
+/// empty when nobody was there to see it.
 [[nodiscard]] AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, int attempt,
-                                      std::optional<int> exit_code);
+                                      const EndedAttempt& seen = {});
 
 /// Labels are for people, ids are identity: a case that has a directory keeps it, and the label it was run
 /// under, however the sweep names it now. `existing`: what existing_directories(folder) found.

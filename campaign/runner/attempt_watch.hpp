@@ -13,15 +13,16 @@ namespace softwall::campaign {
 struct AttemptWatch {
   int attempt = 0;
   int ranks = 0;
-  Handle handle;                   ///< by which the launcher finds it
-  std::int64_t first_step = 0;     ///< safe step it started from
-  std::optional<Status> status;    ///< newest report of this attempt
-  bool begun = false;              ///< its solver has been seen inside the run directory
-  std::string why_ended;           ///< for people, when it is being ended
-  double moved_at = 0.0;           ///< monotonic seconds when its step was last seen to advance
-  std::int64_t imported_step = 0;  ///< of the checkpoint whose averages were last recorded
-  double imported_at = 0.0;        ///< and when, monotonic seconds
-  std::optional<StopLadder> end;   ///< set when it is being ended because it stalled
+  Handle handle;                           ///< by which the launcher finds it
+  std::int64_t first_step = 0;             ///< safe step it started from
+  std::optional<Status> status;            ///< newest report of this attempt
+  Presence presence = Presence::kRunning;  ///< when it was adopted
+  bool begun = false;                      ///< its solver has been seen inside the run directory
+  std::string why_ended;                   ///< for people, when it is being ended
+  double moved_at = 0.0;                   ///< monotonic seconds when its step was last seen to advance
+  std::int64_t imported_step = 0;          ///< of the checkpoint whose averages were last recorded
+  double imported_at = 0.0;                ///< and when, monotonic seconds
+  std::optional<StopLadder> end;           ///< set when it is being ended because it stalled
 
   void report(const Status& newest, double now) {
     if (!status || newest.step > status->step) moved_at = now;

@@ -61,9 +61,10 @@ void CaseBook::mark_unfinished(const CampaignCase& one, const std::filesystem::p
   now.reason = reason;
 }
 
-void CaseBook::mark_running(const CampaignCase& one) {
+void CaseBook::mark_running(const CampaignCase& one, Presence presence) {
   Observation& now = observations_[index_of(one.definition.id)];
   now.running = true;
+  now.presence = presence;
   now.state = CaseState::kRunning;
 }
 

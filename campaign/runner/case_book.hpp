@@ -40,7 +40,7 @@ class CaseBook {
   /// What it has left is taken from the store (store/settled.hpp).
   void settle(const CampaignCase& one, const CaseRecord& known);
   [[nodiscard]] bool is_settled(const CampaignCase& one) const;
-  void mark_running(const CampaignCase& one);
+  void mark_running(const CampaignCase& one, Presence presence = Presence::kRunning);
   /// It has finished, but goes on from its last checkpoint, because something that it left is missing.
   void mark_unfinished(const CampaignCase& one, const std::filesystem::path& last_checkpoint,
                        const std::string& reason);

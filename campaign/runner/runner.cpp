@@ -27,13 +27,6 @@ Campaign with_counted_cores(Campaign campaign, const Launcher& launcher) {
   return campaign;
 }
 
-/// It has shown for so long already that it makes no step; a checkpoint is not likely to come later.
-StopGrace grace_of_a_stalled_one(const RunnerOptions& options) {
-  StopGrace grace = options.grace;
-  grace.checkpoint_seconds = std::min(grace.checkpoint_seconds, options.stall_seconds);
-  return grace;
-}
-
 bool failed_by_itself(AttemptOutcome outcome) {
   return outcome != AttemptOutcome::kFinished && outcome != AttemptOutcome::kInterrupted &&
          outcome != AttemptOutcome::kDiverged;
@@ -62,6 +55,8 @@ RunnerReport Runner::run() {
     if (!take_stock()) return report();
     while (true) {
       for (const EndedAttempt& ended : launcher_.collect()) record_end(ended);
+      for (const std::string& news : launcher_.news()) progress_.event(news, Progress::Kind::kBad);
+      if (signals_.stop_requests() > 0 && launcher_.attempts_stay()) return leave();
       if (signals_.stop_requests() > 0) {
         pass_on_stop();
       } else {
@@ -82,6 +77,16 @@ RunnerReport Runner::run() {
     end_all();
     throw;
   }
+}
+
+/// Jobs of a batch system need no softwall to go on; whoever leaves for the night does not want them ended.
+RunnerReport Runner::leave() {
+  for (const auto& [id, watch] : working_) {
+    const CampaignCase& one = book_.find(id);
+    book_.mark_running(one, launcher_.presence(book_.files_of(one).directory, watch.handle));
+  }
+  progress_.event(describe_leaving(working_.size()));
+  return report();
 }
 
 /// Another program holds the store: the solvers go on meanwhile, and what has to be recorded waits. False
@@ -163,21 +168,26 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
   // The intent is on disk before anything is started: no attempt is ever unknown.
   const int attempt = store_.begin_attempt(id, {host_name(), action.ranks, from});
   const std::int64_t first_step = ladder.newest ? ladder.header.step : 0;
+  const LaunchRequest request{.case_id = id,
+                              .run_directory = run.directory,
+                              .attempt = attempt,
+                              .ranks = action.ranks,
+                              .wall_seconds = book_.campaign().execution.walltime_seconds};
+  const auto note = [&](const Handle& handle) {
+    write_run_record(
+        run,
+        {.case_id = id, .attempt = attempt, .handle = handle, .host = host_name(), .started = utc_now()});
+  };
   try {
-    const Handle handle = launcher_.start({.case_id = id,
-                                           .run_directory = run.directory,
-                                           .attempt = attempt,
-                                           .ranks = action.ranks,
-                                           .wall_seconds = book_.campaign().execution.walltime_seconds});
+    if (const Handle intended = launcher_.intended(request); !intended.empty()) note(intended);
+    const Handle handle = launcher_.start(request);
     AttemptWatch& watch = working_[id];
     watch.attempt = attempt;
     watch.ranks = action.ranks;
     watch.handle = handle;
     watch.first_step = watch.imported_step = first_step;
     watch.moved_at = monotonic_seconds();
-    write_run_record(
-        run,
-        {.case_id = id, .attempt = attempt, .handle = handle, .host = host_name(), .started = utc_now()});
+    note(handle);
     store_.attempt_started(id, attempt, handle);
   } catch (const std::runtime_error& error) {
     if (working_.contains(id)) throw;  // it runs, only its record failed: a matter for end_all()
@@ -190,8 +200,8 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
     pause(one, end.reason);
     return;
   }
-  book_.mark_running(one);
-  progress_.event(describe_start(one, action.ranks, ladder));
+  book_.mark_running(one, launcher_.attempts_stay() ? Presence::kQueued : Presence::kRunning);
+  progress_.event(describe_start(one, action.ranks, ladder, launcher_.attempts_stay()));
 }
 
 void Runner::record_end(const EndedAttempt& ended) {
@@ -199,7 +209,7 @@ void Runner::record_end(const EndedAttempt& ended) {
   changed_ = true;
   const AttemptWatch watch = working_.at(ended.case_id);
   working_.erase(ended.case_id);
-  AttemptEnd end = describe_end(one, book_.files_of(one), watch.attempt, ended.exit_code);
+  AttemptEnd end = describe_end(one, book_.files_of(one), watch.attempt, ended);
   const bool stopping = signals_.stop_requests() > 0;
   if (watch.end && end.outcome != AttemptOutcome::kFinished) {
     end.outcome = AttemptOutcome::kStalled;
@@ -288,60 +298,10 @@ void Runner::pass_on_stop() {
   for (const auto& [id, watch] : working_) ask_to_end(id, watch, *level);
 }
 
-void Runner::read_reports() {
-  const double now = monotonic_seconds();
-  for (auto& [id, watch] : working_) {
-    const auto status = read_status(book_.files_of(book_.find(id)), id);
-    if (status && status->attempt == watch.attempt) watch.report(*status, now);
-    watch.begun = watch.begun || watch.status || solver_is_inside(book_.files_of(book_.find(id)));
-  }
-}
-
-/// The solver leaves its averages beside every checkpoint: a case can be judged, and its window chosen,
-/// before it ends.
-void Runner::import_on_the_way() {
-  const double now = monotonic_seconds();
-  for (auto& [id, watch] : working_) {
-    if (!watch.status || watch.status->checkpoint_step <= watch.imported_step) continue;
-    if (now - watch.imported_at < options_.import_seconds) continue;
-    watch.imported_step = watch.status->checkpoint_step;
-    watch.imported_at = now;
-    const CampaignCase& one = book_.find(id);
-    import_result_so_far(store_, one, book_.files_of(one));
-  }
-}
-
-/// Ranks that never leave MPI_Init write nothing and take no request: they are noticed long before a step
-/// would be missed. An attempt that waits in a queue is none of them.
-void Runner::end_if_stalled(const CampaignCase& one, AttemptWatch& watch, double now) {
-  StopGrace grace = grace_of_a_stalled_one(options_);
-  if (watch.is_stalled(now, options_.stall_seconds)) {
-    watch.why_ended = "made no step for " + describe_duration(options_.stall_seconds);
-  } else if (!watch.begun && watch.is_stalled(now, options_.begin_seconds) &&
-             launcher_.presence(book_.files_of(one).directory, watch.handle) == Presence::kRunning) {
-    watch.why_ended =
-        "its ranks did not get through MPI_Init in " + describe_duration(options_.begin_seconds);
-    grace.checkpoint_seconds = 0;  // there is nothing to write
-  } else {
-    return;
-  }
-  progress_.event(one.definition.label + ": " + watch.why_ended + "; ending this attempt",
-                  Progress::Kind::kBad);
-  watch.end.emplace(grace, now);
-}
-
-void Runner::end_stalled() {
-  const double now = monotonic_seconds();
-  for (auto& [id, watch] : working_) {
-    const CampaignCase& one = book_.find(id);
-    if (!watch.end) end_if_stalled(one, watch, now);
-    if (!watch.end) continue;
-    if (const auto level = watch.end->due(now)) ask_to_end(id, watch, *level);
-  }
-}
-
-/// The manager cannot go on: every solver checkpoints and ends before the error is told.
+/// The manager cannot go on: every solver checkpoints and ends before the error is told. Those that need no
+/// manager are left alone.
 void Runner::end_all() {
+  if (launcher_.attempts_stay()) return;
   StopLadder ladder(options_.grace, monotonic_seconds());
   while (!launcher_.idle()) {
     if (const auto level = ladder.due(monotonic_seconds())) {

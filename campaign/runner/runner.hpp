@@ -47,8 +47,9 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  /// Returns when nothing more can be done or the user asked to stop, and no solver is left. When the manager
-  /// itself fails, it lets every solver write a checkpoint before the exception leaves.
+  /// Returns when nothing more can be done or the user asked to stop, and no solver is left; those that stay
+  /// with their launcher are left at work when the user asks. When the manager itself fails, it lets every
+  /// other solver write a checkpoint before the exception leaves.
   RunnerReport run();
 
  private:
@@ -68,10 +69,12 @@ class Runner {
   void ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level);
   void pass_on_stop();
   void read_reports();
+  void note_begin(const CampaignCase& one, AttemptWatch& watch);
   void end_if_stalled(const CampaignCase& one, AttemptWatch& watch, double now);
   void end_stalled();
   void import_on_the_way();
   void end_all();
+  [[nodiscard]] RunnerReport leave();
   [[nodiscard]] bool wait_for_store();
   [[nodiscard]] RunnerReport pause_for_store(const SqliteError& error);
   void keep_history(const CampaignCase& one);

@@ -21,7 +21,8 @@ bool Runner::take_stock() {
   if (!ready) {
     for (const CampaignCase& one : cases) {
       book_.look_at(one);
-      if (working_.contains(one.definition.id)) book_.mark_running(one);
+      if (const auto at = working_.find(one.definition.id); at != working_.end())
+        book_.mark_running(one, at->second.presence);
     }
     return false;
   }
@@ -80,7 +81,8 @@ void Runner::record_what_is_new() {
     const CampaignCase& one = book_.campaign().cases[i];
     if (is_settled(one)) continue;
     book_.look_at(one, seen[i], after.at(one.definition.id));
-    if (working_.contains(one.definition.id)) book_.mark_running(one);
+    if (const auto at = working_.find(one.definition.id); at != working_.end())
+      book_.mark_running(one, at->second.presence);
   }
   together.commit();
 }
@@ -99,7 +101,8 @@ bool Runner::adopt(const CampaignCase& one) {
   const RunFiles run = book_.files_of(one);
   const auto record = read_run_record(run);
   if (!record || record->case_id != id || store_.attempts(id) != record->attempt) return false;
-  if (launcher_.presence(run.directory, record->handle) == Presence::kGone) return false;
+  const Presence presence = launcher_.presence(run.directory, record->handle);
+  if (presence == Presence::kGone) return false;
   const LaunchRequest request{.case_id = id,
                               .run_directory = run.directory,
                               .attempt = record->attempt,
@@ -110,6 +113,7 @@ bool Runner::adopt(const CampaignCase& one) {
   watch.attempt = record->attempt;
   watch.ranks = one.ranks;
   watch.handle = record->handle;
+  watch.presence = presence;
   watch.moved_at = monotonic_seconds();
   progress_.event(one.definition.label +
                   ": an earlier softwall started it and it goes on; waiting for its end");

@@ -25,11 +25,13 @@ std::string short_number(double value) {
   return text.data();
 }
 
-std::string describe_start(const CampaignCase& one, int ranks, const Ladder& ladder) {
+std::string describe_start(const CampaignCase& one, int ranks, const Ladder& ladder, bool queued) {
   const std::string& label = one.definition.label;
   const std::string goal = " to t = " + short_number(one.definition.run.end_time) + ", " + ranks_text(ranks);
-  if (!ladder.newest) return label + ": started" + goal;
-  return label + ": resumed from " + place(ladder.header.time, ladder.header.step) + goal;
+  const std::string begin = queued ? ": submitted" : ": started";
+  if (!ladder.newest) return label + begin + goal;
+  return label + (queued ? ": submitted, from " : ": resumed from ") +
+         place(ladder.header.time, ladder.header.step) + goal;
 }
 
 std::string describe_end_of_attempt(const CampaignCase& one, const AttemptEnd& end, const Observation& seen) {
@@ -61,6 +63,12 @@ std::string describe_stop(int asked, std::size_t working) {
   return "ending " + cases + " at once";
 }
 
+std::string describe_leaving(std::size_t working) {
+  if (working == 0) return "leaving";
+  return "leaving; " + std::to_string(working) + (working == 1 ? " job goes" : " jobs go") +
+         " on without softwall, and the next run waits for " + (working == 1 ? "it" : "them");
+}
+
 std::string describe_progress(const Campaign& campaign, const std::vector<Observation>& observations,
                               const std::map<std::string, Status>& working, double seconds_left) {
   const auto finished = std::ranges::count_if(
@@ -75,6 +83,10 @@ std::string describe_progress(const Campaign& campaign, const std::vector<Observ
             std::to_string(static_cast<int>(percent)) + " %";
     separator = ", ";
   }
+  const auto queued = std::ranges::count_if(observations, [](const Observation& seen) {
+    return seen.running && seen.presence == Presence::kQueued;
+  });
+  if (queued > 0) line += " | " + std::to_string(queued) + " queued";
   return line + " | about " + describe_duration(seconds_left) + " left";
 }
 

@@ -13,12 +13,15 @@
 /// What the runner says to people.
 namespace softwall::campaign {
 
-/// "G=0.5_mu=1: resumed from t = 12.3 (step 1230), 2 ranks"
-[[nodiscard]] std::string describe_start(const CampaignCase& one, int ranks, const Ladder& ladder);
+/// "G=0.5_mu=1: resumed from t = 12.3 (step 1230), 2 ranks". queued: it has yet to wait for its turn.
+[[nodiscard]] std::string describe_start(const CampaignCase& one, int ranks, const Ladder& ladder,
+                                         bool queued = false);
 [[nodiscard]] std::string describe_end_of_attempt(const CampaignCase& one, const AttemptEnd& end,
                                                   const Observation& seen);
 /// asked: how often the user has asked to stop.
 [[nodiscard]] std::string describe_stop(int asked, std::size_t working);
+/// Of so many attempts that go on by themselves.
+[[nodiscard]] std::string describe_leaving(std::size_t working);
 /// "2/7 finished | G=1_mu=1 46 %, G=2_mu=1 12 % | about 3 min left"
 [[nodiscard]] std::string describe_progress(const Campaign& campaign,
                                             const std::vector<Observation>& observations,

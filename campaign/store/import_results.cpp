@@ -19,7 +19,7 @@ namespace {
 
 void close_open_attempts(Store& store, const CampaignCase& one, const RunFiles& run) {
   for (const OpenAttempt& open : store.open_attempts(one.definition.id)) {
-    store.end_attempt(open.case_id, open.attempt, describe_end(one, run, open.attempt, std::nullopt));
+    store.end_attempt(open.case_id, open.attempt, describe_end(one, run, open.attempt));
   }
 }
 
@@ -44,7 +44,7 @@ void restore_newest_attempt(Store& store, const CampaignCase& one, const RunFile
   } else {
     start = {record->host, one.ranks, ""};
   }
-  store.restore_attempt(id, newest, start, describe_end(one, run, newest, std::nullopt));
+  store.restore_attempt(id, newest, start, describe_end(one, run, newest));
 }
 
 /// Another version of the solver may compute other numbers; nothing is computed again unasked.

@@ -95,7 +95,8 @@ class Store {
   [[nodiscard]] std::unordered_map<std::string, CaseRecord> all_cases() const;
   [[nodiscard]] int attempts(const std::string& case_id) const;
   /// Failed attempts since the case last got further than ever before (or was forgiven). Attempts that were
-  /// interrupted on request, never started, or lost with their manager do not count: not the case's fault.
+  /// interrupted on request, never started, or lost with their manager or node do not count: not the case's
+  /// fault.
   [[nodiscard]] int attempts_without_progress(const std::string& case_id) const;
   [[nodiscard]] std::vector<OpenAttempt> open_attempts() const;
   [[nodiscard]] std::vector<OpenAttempt> open_attempts(const std::string& case_id) const;

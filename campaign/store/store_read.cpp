@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "campaign/core/words.hpp"
 #include "campaign/store/store.hpp"
@@ -7,7 +9,7 @@ namespace softwall::campaign {
 
 namespace {
 
-constexpr std::string_view kCases =
+constexpr std::string_view kAllCases =
     "SELECT case_id, label, directory, is_precursor, state, state_reason, stale_reason, state_since, forgiven"
     " FROM cases";
 
@@ -29,7 +31,9 @@ constexpr std::string_view kAttempts =
     " FROM attempts";
 
 bool is_fault_of_the_case(const std::string& outcome) {
-  return outcome != "finished" && outcome != "interrupted" && outcome != "not started" && outcome != "lost";
+  constexpr std::array<std::string_view, 5> kOthersFault = {"finished", "interrupted", "not started", "lost",
+                                                            "node failure"};
+  return std::ranges::find(kOthersFault, outcome) == kOthersFault.end();
 }
 
 /// What the attempts of one case, taken in their order, say about it.
@@ -117,7 +121,7 @@ PastAttempt past_attempt_in(const Statement& row) {
 }  // namespace
 
 std::optional<CaseRecord> Store::find_case(const std::string& case_id) const {
-  static const std::string kCase = std::string(kCases) + " WHERE case_id = ?";
+  static const std::string kCase = std::string(kAllCases) + " WHERE case_id = ?";
   static const std::string kAttemptsOfCase = std::string(kAttempts) + " WHERE case_id = ? ORDER BY attempt";
   auto found = records_in(connection_.query(kCase, case_id), connection_.query(kAttemptsOfCase, case_id));
   if (found.empty()) return std::nullopt;
@@ -126,7 +130,7 @@ std::optional<CaseRecord> Store::find_case(const std::string& case_id) const {
 
 std::unordered_map<std::string, CaseRecord> Store::all_cases() const {
   static const std::string kAllAttempts = std::string(kAttempts) + " ORDER BY case_id, attempt";
-  return records_in(connection_.query(kCases), connection_.query(kAllAttempts));
+  return records_in(connection_.query(kAllCases), connection_.query(kAllAttempts));
 }
 
 int Store::attempts(const std::string& case_id) const {

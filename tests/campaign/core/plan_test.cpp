@@ -106,6 +106,17 @@ TEST(Plan, NeverRunsACaseTwiceAtOnce) {
   EXPECT_EQ(decision(campaign(), {finished("P"), odd}, "A").outlook, Outlook::kRunning);
 }
 
+TEST(Plan, TellsAJobThatWaitsFromOneAtWork) {
+  Observation job = seen("A", CaseState::kRunning);
+  job.presence = Presence::kRunning;
+  EXPECT_EQ(decision(campaign(), {finished("P"), job}, "A").reason, "a solver is at work on it");
+  job.presence = Presence::kQueued;
+  EXPECT_EQ(decision(campaign(), {finished("P"), job}, "A").reason, "its job waits in the queue");
+  job.presence = Presence::kUnknown;
+  EXPECT_EQ(decision(campaign(), {finished("P"), job}, "A").outlook, Outlook::kRunning);
+  EXPECT_NE(decision(campaign(), {finished("P"), job}, "A").reason.find("nobody can say"), std::string::npos);
+}
+
 TEST(Plan, NothingIsLeftWhenAllIsDone) {
   EXPECT_EQ(planned(campaign(), {finished("P"), finished("A"), finished("B"), finished("C")}), "");
   EXPECT_EQ(decision(campaign(), {finished("A")}, "A").outlook, Outlook::kKept);

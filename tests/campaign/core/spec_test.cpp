@@ -96,6 +96,70 @@ TEST(Spec, RanksOfAPrecursorNeedOne) {
             std::string::npos);
 }
 
+json for_slurm(const json& slurm) {
+  json document = elastic_campaign();
+  document["execution"] = {{"launcher", "slurm"}, {"slurm", slurm}};
+  return document;
+}
+
+TEST(Spec, ReadsWhatAJobAsksOfSlurm) {
+  const SlurmOptions plain = spec_of(for_slurm(json::object())).execution.slurm;
+  EXPECT_EQ(plain.start_with, "mpirun");
+  EXPECT_EQ(plain.signal_seconds, 120);
+  EXPECT_TRUE(plain.account.empty() && plain.partition.empty() && plain.options.empty());
+  EXPECT_FALSE(plain.time_limit_minutes || plain.nodes);
+  json without = for_slurm(json::object());
+  without["execution"].erase("slurm");
+  EXPECT_EQ(spec_of(without).execution.slurm.signal_seconds, 120) << "defaults, also without the member";
+  const SlurmOptions full = spec_of(for_slurm({{"account", "flow"},
+                                               {"partition", "a,b"},
+                                               {"time_limit_minutes", 60},
+                                               {"nodes", 2},
+                                               {"start_with", "srun"},
+                                               {"start_options", {"--mpi=pmix"}},
+                                               {"options", {"--exclusive", "--mem-per-cpu=2G"}}}))
+                                .execution.slurm;
+  EXPECT_EQ(full.account, "flow");
+  EXPECT_EQ(full.partition, "a,b");
+  EXPECT_EQ(full.time_limit_minutes, 60);
+  EXPECT_EQ(full.nodes, 2);
+  EXPECT_EQ(full.start_options, std::vector<std::string>{"--mpi=pmix"});
+  EXPECT_EQ(full.options, (std::vector<std::string>{"--exclusive", "--mem-per-cpu=2G"}));
+}
+
+TEST(Spec, RefusesWhatSlurmShallNotBeAsked) {
+  const auto complaint = [](const json& slurm) { return complaint_about(for_slurm(slurm)); };
+  EXPECT_EQ(complaint(json::object()), "");
+  for (const char* option : {"--job-name=x", "--output=x", "--time=5", "--part=x", "--requeue", "-p main",
+                             "mem=5", "--mem=5\nx", "--wrap=true", ""})
+    EXPECT_NE(complaint({{"options", {option}}}).find("/execution/slurm/options/0"), std::string::npos)
+        << option;
+  EXPECT_NE(complaint({{"account", "a b"}}).find("/execution/slurm/account"), std::string::npos);
+  EXPECT_NE(complaint({{"acount", "a"}}).find("did you mean \"account\"?"), std::string::npos);
+  EXPECT_NE(
+      complaint({{"time_limit_minutes", 2}, {"signal_seconds", 120}}).find("/execution/slurm/signal_seconds"),
+      std::string::npos);
+  EXPECT_NE(complaint({{"nodes", 4294967297}}).find("/execution/slurm/nodes"), std::string::npos);
+}
+
+TEST(Spec, WhatIsForSlurmHasNoEffectElsewhere) {
+  json document = for_slurm({{"account", "flow"}});
+  document["execution"].erase("launcher");
+  EXPECT_NE(complaint_about(document).find("/execution/slurm: an object; has no effect"), std::string::npos)
+      << complaint_about(document);
+  json limited = for_slurm({{"time_limit_minutes", 10}});
+  limited["execution"]["walltime_seconds"] = 600;
+  EXPECT_NE(complaint_about(limited).find("/execution/walltime_seconds: 600"), std::string::npos);
+}
+
+TEST(Spec, WhereACaseRunsIsNoPartOfItsIdentity) {
+  const Campaign here = tests::campaign_of(elastic_campaign());
+  const Campaign there = tests::campaign_of(for_slurm({{"account", "flow"}}));
+  ASSERT_EQ(here.cases.size(), there.cases.size());
+  for (std::size_t i = 0; i < here.cases.size(); ++i)
+    EXPECT_EQ(here.cases[i].definition.id, there.cases[i].definition.id);
+}
+
 /// The campaign's schema must know every parameter of a case that a person sets.
 TEST(Spec, SchemaCoversTheCase) {
   const json& physics = *case_schema().part(json::json_pointer("/physics"));

@@ -42,6 +42,14 @@ TEST(LaunchEnvironment, WhatMpirunNeedsIsThereOnce) {
   EXPECT_THAT(given({"PATH=/opt/bin"}), Contains("PATH=/opt/bin"));
 }
 
+TEST(SchedulerEnvironment, IsThatOfThePersonAndNotOfAJobThatWeAreIn) {
+  EXPECT_EQ(scheduler_environment({"SLURM_CONF=/etc/slurm.conf", "SLURM_JOB_ID=12", "SLURM_NTASKS=1",
+                                   "SQUEUE_STATES=R", "SBATCH_ACCOUNT=flow", "OMPI_MCA_btl=self",
+                                   "PMIX_RANK=0", "PATH=/bin"}),
+            (std::vector<std::string>{"SLURM_CONF=/etc/slurm.conf", "SBATCH_ACCOUNT=flow",
+                                      "OMPI_MCA_btl=self", "PATH=/bin"}));
+}
+
 TEST(ScratchNames, ARelativeTemporaryFolderIsNotUsed) {
   setenv("TMPDIR", ".", 1);
   EXPECT_TRUE(Scratch("/no/such").session().is_absolute());

@@ -13,9 +13,13 @@ TEST(MakeLauncher, KnowsEveryNameOfTheSchemaAndNoOther) {
   ASSERT_NE(node, nullptr);
   EXPECT_EQ(node->at("enum").get<std::vector<std::string>>(), launcher_names());
   for (const std::string& name : launcher_names()) {
-    EXPECT_GE(cores_to_use(0, *make_launcher(name)), 1) << name;
+    Execution execution;
+    execution.launcher = name;
+    EXPECT_GE(cores_to_use(0, *make_launcher(execution)), 1) << name;
   }
-  EXPECT_THROW((void)make_launcher("pigeons"), BadInput);
+  Execution execution;
+  execution.launcher = "pigeons";
+  EXPECT_THROW((void)make_launcher(execution), BadInput);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 
 #include "campaign/observe/run_reports.hpp"
 #include "tests/campaign/runner/fake_batch_system.hpp"
@@ -91,6 +92,57 @@ TEST_F(AdoptionTest, AnAdoptedJobIsStoppedByItsHandle) {
   EXPECT_EQ(run(launcher, options).failed.size(), 5U);
   ASSERT_FALSE(launcher.stops.empty());
   EXPECT_EQ(launcher.stops.front().first, handle);
+}
+
+TEST_F(AdoptionTest, JobsGoOnWhenTheRunnerIsAskedToLeave) {
+  test::BatchLauncher launcher(system_);
+  launcher.on_pass = [&] {
+    if (launcher.started.empty()) return;
+    system_.is_full = true;
+    raise(SIGINT);
+  };
+  const RunnerReport report = run(launcher);
+  EXPECT_TRUE(report.stopped);
+  EXPECT_EQ(report.unfinished.size(), 5U);
+  EXPECT_TRUE(launcher.stops.empty()) << "nobody was asked to end";
+  EXPECT_EQ(launcher.started.size(), 1U);
+  system_.is_full = false;
+  test::BatchLauncher next(system_);
+  EXPECT_EQ(run(next).finished, 5U);
+  EXPECT_EQ(next.adopted, std::vector{precursor_id()});
+}
+
+TEST_F(AdoptionTest, AJobThatWaitsForLongIsNotTakenForOneThatHangs) {
+  test::BatchLauncher launcher(system_);
+  int passes = 0;
+  launcher.on_pass = [&] { system_.is_full = ++passes % 20 != 0; };
+  system_.play = [this](const LaunchRequest& request) { finish(request); };
+  RunnerOptions options;
+  options.stall_seconds = options.begin_seconds = 0.005;
+  system_.is_full = true;
+  EXPECT_EQ(run(launcher, options).finished, 5U);
+}
+
+/// A runner that is killed while its request is on the way to the batch system must find the job again.
+TEST_F(AdoptionTest, TheIntendedHandleIsOnDiskBeforeAnythingIsStarted) {
+  class Launcher final : public test::LauncherWithoutMemory {
+   public:
+    [[nodiscard]] Handle intended(const LaunchRequest& request) const override {
+      return "job of attempt " + std::to_string(request.attempt);
+    }
+    Handle start(const LaunchRequest& request) override {
+      const auto record = read_run_record(RunFiles{request.run_directory});
+      if (record && record->attempt == request.attempt) found = record->handle;
+      throw std::runtime_error("killed here");
+    }
+    std::vector<EndedAttempt> collect() override { return {}; }
+    void stop(const std::filesystem::path&, const Handle&, StopLevel) override {}
+    [[nodiscard]] bool idle() const override { return true; }
+    Handle found;
+  };
+  Launcher launcher;
+  static_cast<void>(run(launcher));
+  EXPECT_EQ(launcher.found, "job of attempt 1");
 }
 
 TEST_F(AdoptionTest, WithoutALimitOfItsOwnASchedulerGetsEverything) {

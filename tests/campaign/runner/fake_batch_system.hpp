@@ -20,6 +20,7 @@ struct BatchSystem {
     campaign::Presence state = campaign::Presence::kQueued;
   };
   std::map<campaign::Handle, Job> jobs;                      ///< by number
+  bool is_full = false;                                      ///< true: whoever waits goes on waiting
   bool answers = true;                                       ///< false: its commands fail for the time being
   std::function<void(const campaign::LaunchRequest&)> play;  ///< what the solver of a job leaves
 
@@ -30,6 +31,7 @@ struct BatchSystem {
   }
   /// Every job moves on: from the queue to a node, from there to its end.
   void pass_time() {
+    if (is_full) return;
     for (auto& [number, job] : jobs) {
       if (job.state == campaign::Presence::kRunning) {
         play(job.request);
@@ -56,7 +58,9 @@ class BatchLauncher final : public campaign::Launcher {
     watched_.insert(handle);
     return true;
   }
+  [[nodiscard]] bool attempts_stay() const override { return true; }
   std::vector<campaign::EndedAttempt> collect() override {
+    if (on_pass) on_pass();
     system_.pass_time();
     std::vector<campaign::EndedAttempt> ended;
     std::erase_if(watched_, [&](const campaign::Handle& number) {
@@ -81,6 +85,7 @@ class BatchLauncher final : public campaign::Launcher {
   void clean_up(const std::filesystem::path&) override {}
   [[nodiscard]] std::optional<int> capacity() const override { return std::nullopt; }
 
+  std::function<void()> on_pass;              ///< is called before time passes
   std::vector<std::string> started, adopted;  ///< case ids
   std::vector<std::pair<campaign::Handle, campaign::StopLevel>> stops;
 

@@ -23,6 +23,7 @@ Observation at(std::int64_t step, double time) {
 TEST(Wording, OfAStartSaysFromWhereToWhereAndOnHowManyRanks) {
   Ladder ladder;
   EXPECT_EQ(describe_start(soft_wall(), 1, ladder), "G=0.5: started to t = 250, 1 rank");
+  EXPECT_EQ(describe_start(soft_wall(), 1, ladder, true), "G=0.5: submitted to t = 250, 1 rank");
   ladder.newest = "checkpoint-000000040.h5";
   ladder.header.step = 40;
   ladder.header.time = 12.3;
@@ -56,6 +57,8 @@ TEST(Wording, OfAStopSaysWhatAnotherOneWouldDo) {
   EXPECT_EQ(describe_stop(2, 3), "ending 3 cases within seconds (Ctrl-C again: at once)");
   EXPECT_EQ(describe_stop(3, 3), "ending 3 cases at once");
   EXPECT_EQ(describe_stop(1, 0), "stopping");
+  EXPECT_EQ(describe_leaving(1), "leaving; 1 job goes on without softwall, and the next run waits for it");
+  EXPECT_EQ(describe_leaving(3), "leaving; 3 jobs go on without softwall, and the next run waits for them");
 }
 
 TEST(Wording, OfProgressNamesWhatIsRunning) {

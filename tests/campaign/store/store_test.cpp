@@ -201,8 +201,8 @@ TEST_F(StoreTest, WritesInsideATransactionAreOneWithIt) {
 
 TEST_F(StoreTest, WhatIsNotTheCasesFaultIsNotCounted) {
   attempt_that_ends_with(failed_at(0));
-  for (const AttemptOutcome outcome :
-       {AttemptOutcome::kInterrupted, AttemptOutcome::kLost, AttemptOutcome::kNotStarted}) {
+  for (const AttemptOutcome outcome : {AttemptOutcome::kInterrupted, AttemptOutcome::kLost,
+                                       AttemptOutcome::kNotStarted, AttemptOutcome::kNodeFailure}) {
     attempt_that_ends_with(outcome, 0);
     EXPECT_EQ(store.attempts_without_progress(id), 1) << word_of(outcome);
   }

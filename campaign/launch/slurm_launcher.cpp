@@ -1,0 +1,313 @@
+#include "campaign/launch/slurm_launcher.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "campaign/core/words.hpp"
+#include "campaign/launch/slurm_command.hpp"
+#include "campaign/launch/solver_log.hpp"
+#include "campaign/system/clock.hpp"
+#include "campaign/system/find_program.hpp"
+#include "solver/case/atomic_file.hpp"
+#include "solver/case/bad_input.hpp"
+#include "solver/run_directory/report_file.hpp"
+#include "solver/run_directory/run_files.hpp"
+#include "solver/run_directory/summary.hpp"
+
+namespace softwall::campaign {
+namespace {
+
+template <std::size_t count>
+bool holds_one_of(const std::string& text, const std::array<const char*, count>& phrases) {
+  return std::ranges::any_of(phrases, [&](const char* phrase) { return text.find(phrase) != text.npos; });
+}
+
+/// Words of Slurm's that speak of this hour and not of the campaign: nobody was reached, or what is asked for
+/// is not there just now (a node that is down makes a job that needs it "not available").
+bool may_pass(const Answer& answer) {
+  static constexpr std::array<const char*, 11> kPassing = {
+      "Unable to contact",  "timed out",     "Zero Bytes", "Protocol authentication",
+      "temporarily",        "Connection",    "connection", "configuration source",
+      "node configuration", "not available", "busy"};
+  return !answer.exit_code || holds_one_of(answer.errors, kPassing);
+}
+
+/// Whether the job may have been accepted although sbatch did not say so. A refusal has words of its own.
+bool is_doubtful(const Answer& answer) {
+  static constexpr std::array<const char*, 2> kCutOff = {"timed out", "Zero Bytes"};
+  const bool refused =
+      answer.exit_code && *answer.exit_code > 0 && *answer.exit_code < 128 && !answer.errors.empty();
+  return !refused || holds_one_of(answer.errors, kCutOff);
+}
+
+/// "12" or, of one cluster among several, "12;name".
+std::optional<std::string> number_in(const Answer& answer) {
+  if (answer.exit_code != 0) return std::nullopt;
+  const auto digits = answer.output.find_first_not_of("0123456789");
+  if (digits == 0 || digits == std::string::npos) return std::nullopt;
+  if (answer.output[digits] != '\n' && answer.output[digits] != ';') return std::nullopt;
+  return answer.output.substr(0, digits);
+}
+
+/// The one of several jobs of a name that is furthest from its end.
+const QueuedJob* most_alive(const std::vector<QueuedJob>& jobs) {
+  const auto rank = [](const QueuedJob& job) {
+    constexpr std::array kOrder = {Presence::kRunning, Presence::kQueued, Presence::kUnknown,
+                                   Presence::kGone};
+    return std::ranges::find(kOrder, presence_in(job.state)) - kOrder.begin();
+  };
+  const auto found = std::ranges::min_element(jobs, {}, rank);
+  return found == jobs.end() ? nullptr : &*found;
+}
+
+/// What Slurm says about the end of a job; empty where the exit status tells more.
+std::optional<Verdict> verdict_on(const QueuedJob& job) {
+  constexpr int kCannotWrite = 128 + 53;  // Slurm shows it as 0:53
+  const std::string& state = job.state;
+  const std::string name = "its job " + job.number;
+  if (state == "TIMEOUT" || state == "DEADLINE")
+    return Verdict{AttemptOutcome::kTimeout, name + " reached its time limit"};
+  if (state == "CANCELLED") return Verdict{AttemptOutcome::kKilled, name + " was cancelled"};
+  if (state == "OUT_OF_MEMORY")
+    return Verdict{AttemptOutcome::kOutOfMemory, name + " needed more memory than it had asked for"};
+  if (state == "NODE_FAIL" || state == "BOOT_FAIL")
+    return Verdict{AttemptOutcome::kNodeFailure, "a node of " + name + " failed"};
+  if (state == "PREEMPTED" || state == "REVOKED")
+    return Verdict{AttemptOutcome::kNodeFailure, name + " had to make room for another"};
+  if (job.exit_code == kCannotWrite)
+    return Verdict{AttemptOutcome::kFailed,
+                   name + " could not write its log: is the campaign's folder there on the nodes?"};
+  if (job.exit_code) return std::nullopt;
+  return Verdict{AttemptOutcome::kFailed, name + " ended as " + state};
+}
+
+/// "3 ranks"
+std::string ranks_text(int ranks) { return counted(ranks, "rank"); }
+
+}  // namespace
+
+SlurmLauncher::SlurmLauncher(SlurmOptions options, SlurmPace pace)
+    : options_(std::move(options)), pace_(pace), queue_(pace), rest_(pace.quiet) {}
+
+void SlurmLauncher::prepare(const std::filesystem::path& solver, int ranks) {
+  for (const char* program : {"sbatch", "squeue", "scancel"}) {
+    if (!find_on_path(program))
+      throw BadInput(program,
+                     {{"", "not found on the PATH", "Slurm's commands, as on a login node of a cluster"}});
+  }
+  // The nodes may have another PATH than this machine, but where a program is here it is mostly there too.
+  programs_ = {find_on_path(options_.start_with).value_or(options_.start_with), solver};
+  if (ranks == 0) return;
+  auto arguments = submit_arguments({"", "/", 0, ranks, std::nullopt}, options_);
+  arguments.insert(arguments.end(), {"--test-only", "--wrap=true"});
+  const Answer answer = ask_slurm("sbatch", arguments, pace_.answer);
+  if (answer.exit_code == 0 || may_pass(answer)) return;
+  throw BadInput("sbatch",
+                 {{"", "Slurm refuses a job of " + ranks_text(ranks), trouble_in(answer, "sbatch")}});
+}
+
+Handle SlurmLauncher::intended(const LaunchRequest& request) const {
+  return handle_of({job_name(request), request.attempt, ""});
+}
+
+Handle SlurmLauncher::start(const LaunchRequest& request) {
+  keep_small(RunFiles{request.run_directory}.log());
+  write_atomically(job_script(request.run_directory), script_text(request, options_, programs_));
+  rest_.forget(request.run_directory);
+  Job& job = jobs_[job_name(request)];
+  job = {request, {job_name(request), request.attempt, ""}};
+  submit_waiting();
+  return handle_of(job.record);
+}
+
+bool SlurmLauncher::adopt(const LaunchRequest& request, const Handle& handle) {
+  const auto record = job_of(handle);
+  if (record) jobs_[record->name] = {request, *record, Stage::kAccepted};
+  return record.has_value();
+}
+
+/// One after the other while Slurm takes them.
+void SlurmLauncher::submit_waiting() {
+  for (auto& [name, job] : jobs_) {
+    if (job.stage != Stage::kWaiting) continue;
+    queue_.refresh();
+    if (!queue_.answers() || monotonic_seconds() < submit_at_) return;
+    submit(job);
+  }
+}
+
+/// Whether the job was accepted is known where sbatch says its number, or where it says why not. In all other
+/// cases the queue is asked before it is submitted again.
+void SlurmLauncher::submit(Job& job) {
+  auto arguments = submit_arguments(job.request, options_);
+  arguments.push_back(job_script(job.request.run_directory));
+  const Answer answer = ask_slurm("sbatch", arguments, pace_.answer);
+  queue_.hurry();
+  if (const auto number = number_in(answer)) {
+    job.record.number = *number;
+    job.stage = Stage::kAccepted;
+    submit_pause_ = 0.0;
+    tell("submit", "");
+    return;
+  }
+  const double now = monotonic_seconds();
+  job.stage = Stage::kDoubtful;
+  job.doubt_until = now + (is_doubtful(answer) ? pace_.doubt : 0.0);
+  submit_pause_ = std::min(std::max(pace_.shortest, 2 * submit_pause_), pace_.longest_silence);
+  submit_at_ = now + submit_pause_;
+  tell("submit", "Slurm takes no job just now; trying again: " + trouble_in(answer, "sbatch"));
+}
+
+/// Called with an answer of Slurm's.
+void SlurmLauncher::resolve_doubt(Job& job) {
+  if (const auto found = queue_.called(job.record.name); !found.empty()) {
+    job.record.number = found.front().number;
+    job.stage = Stage::kAccepted;
+  } else if (queue_.asked_at() >= job.doubt_until) {
+    job.stage = Stage::kWaiting;
+  }
+}
+
+/// Two jobs of one name never work at once; the one that still waits has nothing to do.
+void SlurmLauncher::cancel_extra(const Job& job) {
+  const auto jobs = queue_.called(job.record.name);
+  const QueuedJob* const kept = most_alive(jobs);
+  for (const QueuedJob& other : jobs) {
+    if (other.number == kept->number || presence_in(other.state) != Presence::kQueued) continue;
+    static_cast<void>(ask_slurm("scancel", {"--state=PENDING", other.number}, pace_.answer));
+    queue_.hurry();
+  }
+}
+
+/// A job may wait for ever for what this cluster does not have; only a person can tell.
+void SlurmLauncher::tell_why_it_waits(const Job& job) {
+  static constexpr std::array<std::string_view, 6> kUsual = {"",          "None",       "Priority",
+                                                             "Resources", "Dependency", "BeginTime"};
+  const auto jobs = queue_.called(job.record.name);
+  const QueuedJob* const found = most_alive(jobs);
+  if (!found || presence_in(found->state) != Presence::kQueued) return;
+  if (std::ranges::find(kUsual, found->why) != kUsual.end()) return;
+  tell(job.record.name, job.request.run_directory.filename().string() + ": job " + found->number +
+                            " waits, says Slurm: " + found->why);
+}
+
+std::vector<std::string> SlurmLauncher::news() { return std::exchange(news_, {}); }
+
+/// Once, until something else is to be said about the same thing. Nothing: all is well again.
+void SlurmLauncher::tell(const std::string& about, const std::string& what) {
+  std::string& before = told_[about];
+  if (before == what) return;
+  if (what.empty())
+    news_.emplace_back(about == "queue" ? "Slurm answers again" : "Slurm takes jobs again");
+  else
+    news_.push_back(what);
+  before = what;
+}
+
+std::vector<EndedAttempt> SlurmLauncher::collect() {
+  if (jobs_.empty()) return {};
+  queue_.refresh();
+  if (!queue_.answers()) {
+    tell("queue", "Slurm does not answer; asking again: " + queue_.trouble());
+    return {};
+  }
+  tell("queue", "");
+  std::vector<Job> over;
+  for (auto& [name, job] : jobs_) {
+    keep_small_while_written(RunFiles{job.request.run_directory}.log());
+    if (job.stage == Stage::kDoubtful) resolve_doubt(job);
+    if (job.stage != Stage::kAccepted) continue;
+    cancel_extra(job);
+    tell_why_it_waits(job);
+    if (is_over(job)) over.push_back(job);
+  }
+  const auto ended = ends_of(over);
+  for (const Job& job : over) {
+    clean_up(job.request.run_directory);
+    told_.erase(job.record.name);
+    jobs_.erase(job.record.name);
+  }
+  submit_waiting();
+  return ended;
+}
+
+/// A job that is in the queue although its attempt has reached the end is one that Slurm has brought back, or
+/// the second of a name.
+bool SlurmLauncher::is_over(const Job& job) {
+  const Presence presence = presence_of(job.request.run_directory, job.record);
+  if (presence != Presence::kQueued) return presence == Presence::kGone;
+  const auto summary =
+      read_report<Summary>(RunFiles{job.request.run_directory}.summary(), job.request.case_id);
+  const bool finished = summary && summary->attempt == job.record.attempt && summary->outcome == "finished";
+  if (finished) stop(job.request.run_directory, handle_of(job.record), StopLevel::kCheckpoint);
+  return false;
+}
+
+std::vector<EndedAttempt> SlurmLauncher::ends_of(const std::vector<Job>& over) const {
+  std::vector<std::string> vanished;
+  for (const Job& job : over) {
+    if (queue_.called(job.record.name).empty()) vanished.push_back(job.record.name);
+  }
+  const auto past = queue_.past(vanished);
+  std::vector<EndedAttempt> ended;
+  for (const Job& job : over) {
+    EndedAttempt end{job.request.case_id, std::nullopt, std::nullopt};
+    auto jobs = queue_.called(job.record.name);
+    if (const auto known = past.find(job.record.name); known != past.end()) jobs.push_back(known->second);
+    if (jobs.empty()) {
+      end.verdict = {AttemptOutcome::kLost, "Slurm no longer knows its job, and the solver has left no word"};
+    } else {
+      end.exit_code = jobs.back().exit_code;
+      end.verdict = verdict_on(jobs.back());
+    }
+    ended.push_back(std::move(end));
+  }
+  return ended;
+}
+
+/// What Slurm says about a job, completed by what its run directory says where Slurm does not vouch for its
+/// end.
+Presence SlurmLauncher::presence_of(const std::filesystem::path& run_directory,
+                                    const JobRecord& record) const {
+  std::error_code unreadable;
+  if (!std::filesystem::exists(job_script(run_directory), unreadable)) return Presence::kGone;  // seen before
+  if (const auto own = jobs_.find(record.name); own != jobs_.end() && own->second.stage != Stage::kAccepted)
+    return own->second.stage == Stage::kWaiting ? Presence::kQueued : Presence::kUnknown;
+  const auto jobs = queue_.called(record.name);
+  const QueuedJob* const found = queue_.answers() ? most_alive(jobs) : nullptr;
+  if (found && presence_in(found->state) != Presence::kGone) return presence_in(found->state);
+  const RestWatch::Verdict rest = rest_.look(run_directory, record.attempt);
+  if (rest == RestWatch::Verdict::kAtWork) return Presence::kRunning;
+  const bool is_over = rest == RestWatch::Verdict::kAtRest || (found && leaves_no_process(found->state));
+  return is_over && queue_.answers() ? Presence::kGone : Presence::kUnknown;
+}
+
+std::vector<Presence> SlurmLauncher::presences(const std::vector<AttemptPlace>& places) const {
+  std::vector<Presence> found;
+  for (const AttemptPlace& place : places) {
+    const auto job = job_of(place.handle);
+    if (job) queue_.refresh();  // asks once; the answer holds for all of them
+    found.push_back(job ? presence_of(place.run_directory, *job) : Presence::kGone);
+  }
+  return found;
+}
+
+/// A request that does not reach Slurm is repeated by whoever makes it.
+void SlurmLauncher::stop(const std::filesystem::path&, const Handle& handle, StopLevel level) {
+  const auto job = job_of(handle);
+  if (!job) return;
+  for (const auto& arguments : cancel_arguments(job->name, level, options_))
+    static_cast<void>(ask_slurm("scancel", arguments, pace_.answer));
+  queue_.hurry();
+}
+
+void SlurmLauncher::clean_up(const std::filesystem::path& run_directory) {
+  std::error_code ignored;
+  std::filesystem::remove(job_script(run_directory), ignored);
+  rest_.forget(run_directory);
+}
+
+}  // namespace softwall::campaign

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/launch/launcher.hpp"
+#include "campaign/launch/rest_watch.hpp"
+#include "campaign/launch/slurm_job.hpp"
+#include "campaign/launch/slurm_queue.hpp"
+
+namespace softwall::campaign {
+
+/// Hands attempts to Slurm, one job each. Jobs are found again by their names, which hold campaign, case and
+/// attempt, so that nothing is lost, or submitted twice, when an answer is not heard or softwall is killed.
+///
+/// What Slurm does not say is unknown, asked again later, and never taken for an end. "Not in the queue" does
+/// not mean that nobody works either: the solver's own lock and files in the run directory count besides
+/// (rest_watch.hpp). A job that Slurm does not take is no failure of its case; it is submitted again later.
+class SlurmLauncher final : public Launcher {
+ public:
+  explicit SlurmLauncher(SlurmOptions options, SlurmPace pace = {});
+
+  /// Lets Slurm check a job of so many ranks without submitting it. Throws BadInput in Slurm's words.
+  void prepare(const std::filesystem::path& solver, int ranks) override;
+  [[nodiscard]] Handle intended(const LaunchRequest& request) const override;
+  [[nodiscard]] Handle start(const LaunchRequest& request) override;
+  [[nodiscard]] bool adopt(const LaunchRequest& request, const Handle& handle) override;
+  [[nodiscard]] bool attempts_stay() const override { return true; }
+  [[nodiscard]] std::vector<std::string> news() override;
+  std::vector<EndedAttempt> collect() override;
+  [[nodiscard]] bool idle() const override { return jobs_.empty(); }
+  [[nodiscard]] std::vector<Presence> presences(const std::vector<AttemptPlace>& places) const override;
+  void stop(const std::filesystem::path& run_directory, const Handle& handle, StopLevel level) override;
+  void clean_up(const std::filesystem::path& run_directory) override;
+  [[nodiscard]] std::optional<int> capacity() const override { return std::nullopt; }
+
+ private:
+  enum class Stage {
+    kWaiting,   ///< to be submitted
+    kDoubtful,  ///< sbatch was asked, and it is not known whether the job was accepted
+    kAccepted
+  };
+  struct Job {
+    LaunchRequest request;
+    JobRecord record;
+    Stage stage = Stage::kWaiting;
+    double doubt_until = 0.0;  ///< monotonic; before that its absence from the queue proves nothing
+  };
+
+  void submit_waiting();
+  void submit(Job& job);
+  void resolve_doubt(Job& job);
+  void cancel_extra(const Job& job);
+  void tell_why_it_waits(const Job& job);
+  void tell(const std::string& about, const std::string& what);
+  [[nodiscard]] Presence presence_of(const std::filesystem::path& run_directory,
+                                     const JobRecord& record) const;
+  [[nodiscard]] bool is_over(const Job& job);
+  [[nodiscard]] std::vector<EndedAttempt> ends_of(const std::vector<Job>& over) const;
+
+  SlurmOptions options_;
+  SlurmPace pace_;
+  JobPrograms programs_;
+  mutable SlurmQueue queue_;                     ///< asking does not change the launcher
+  mutable RestWatch rest_;                       ///< nor does watching
+  std::map<std::string, Job> jobs_;              ///< that were started or adopted and have not ended, by name
+  double submit_at_ = 0.0, submit_pause_ = 0.0;  ///< monotonic; sbatch is not asked before
+  std::map<std::string, std::string> told_;      ///< what was last said, by what it is about
+  std::vector<std::string> news_;
+};
+
+}  // namespace softwall::campaign
