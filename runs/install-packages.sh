@@ -20,6 +20,7 @@ test_packages=(
   python3                           # contract and end-to-end tests
   python3-h5py python3-matplotlib   # figures (analysis/)
   clang-format clang-tidy
+  slurm-wlm munge                   # the launcher for clusters
 )
 
 packages=("${build_packages[@]}")
