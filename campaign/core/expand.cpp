@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "campaign/core/case_mistakes.hpp"
+#include "campaign/core/derive.hpp"
 #include "campaign/core/effect.hpp"
 #include "campaign/core/label.hpp"
 #include "campaign/core/parameters.hpp"
@@ -95,7 +96,8 @@ class Expansion {
       : spec_(spec),
         existing_(existing),
         points_(sweep_points(spec.sweep)),
-        swept_(swept_pointers(points_)),
+        derivation_(spec.derive),
+        swept_(set_pointers(points_, derivation_)),
         swept_places_(compiled(swept_)),
         exclusions_(spec.sweep.at("exclude")),
         common_(document_of(physics_with_flow(spec.physics), spec.run)),
@@ -109,6 +111,7 @@ class Expansion {
     if (cases_.list.empty())
       throw BadInput(spec_.source, {{"/sweep/exclude", "excludes every case", "leave some"}});
     auto without_effect = exclusions_.unused();
+    for (auto& mistake : derivation_.without_effect()) without_effect.push_back(std::move(mistake));
     for (auto& [pointer, mistake] : merged_) without_effect.push_back(std::move(mistake));
     if (!without_effect.empty()) throw BadInput(spec_.source, std::move(without_effect));
     name(precursors_, "precursor");
@@ -152,13 +155,15 @@ class Expansion {
 
   /// The defaults of what all cases have in common are filled in once. They are filled in again after the
   /// point's values have been put, because a point may bring in an object that has further members.
-  void add(const Point& point) {
+  void add(Point point) {
+    if (!derivation_.empty() && !derive(point)) return;
     json filled = filled_;
     put(point, filled.at("physics"));
     const bool any_steps = leaves_steps_open(point, filled.at("physics"));
     if (any_steps) limit_steps(filled.at("physics"));
     case_schema().fill_defaults(filled);
     if (exclusions_.excludes(filled.at("physics"))) return;
+    derivation_.note_effect(filled.at("physics"));
     std::vector<json> values = values_of(filled.at("physics"));
     std::string precursor_id;
     if (!spec_.precursor.is_null()) {
@@ -180,6 +185,20 @@ class Expansion {
               .point = point,
               .any_steps = any_steps},
              cases_);
+  }
+
+  /// Puts into the point what follows from it. Where that cannot be, it is told, unless the point is
+  /// excluded.
+  bool derive(Point& point) {
+    json filled = filled_;
+    json& physics = filled.at("physics");
+    put(point, physics);
+    if (leaves_steps_open(point, physics)) limit_steps(physics);
+    case_schema().fill_defaults(filled);
+    auto found = derivation_.add_to(point, physics);
+    if (found.empty()) return true;
+    if (!exclusions_.excludes(physics)) mistakes_.add(swept_label(values_of(physics)), "", std::move(found));
+    return false;
   }
 
   /// Whether the file says nothing about the steps of this elastic wall.
@@ -293,7 +312,7 @@ class Expansion {
   /// Two points of the sweep are one case although they differ: what they differ in has no effect.
   void note_merged(const std::vector<json>& first, const std::vector<json>& second) {
     for (std::size_t i = 0; i < swept_.size(); ++i) {
-      if (first[i] == second[i] || merged_.contains(swept_[i])) continue;
+      if (first[i] == second[i] || is_derived(i) || merged_.contains(swept_[i])) continue;
       merged_[swept_[i]] = {
           "/sweep: " + swept_[i].substr(1), quoted(first[i]) + " and " + quoted(second[i]),
           "give the same case: this parameter has no effect here, leave it out of the sweep"};
@@ -309,7 +328,18 @@ class Expansion {
 
   /// "G=1_mu=10": all that the sweep sets, for messages.
   [[nodiscard]] std::string swept_label(const std::vector<json>& values) const {
-    return label_of(named(values, std::vector<bool>(swept_.size(), true)));
+    return label_of(named(values, not_derived()));
+  }
+
+  [[nodiscard]] bool is_derived(std::size_t i) const {
+    const auto derived = derivation_.pointers();
+    return std::ranges::find(derived, swept_[i]) != derived.end();
+  }
+
+  [[nodiscard]] std::vector<bool> not_derived() const {
+    std::vector<bool> chosen(swept_.size());
+    for (std::size_t i = 0; i < swept_.size(); ++i) chosen[i] = !is_derived(i);
+    return chosen;
   }
 
   [[nodiscard]] std::vector<std::pair<std::string, json>> named(const std::vector<json>& values,
@@ -327,7 +357,7 @@ class Expansion {
     for (const auto& values : made.values)
       for (std::size_t i = 0; i < swept_.size(); ++i) varies[i] = varies[i] || values[i] != made.values[0][i];
     const bool single = std::find(varies.begin(), varies.end(), true) == varies.end();
-    if (single && first.empty()) varies.assign(swept_.size(), true);
+    if (single && first.empty()) varies = not_derived();
     for (std::size_t c = 0; c < made.list.size(); ++c) {
       const auto parameters = named(made.values[c], varies);
       std::string label = parameters.empty() ? "" : label_of(parameters);
@@ -343,7 +373,8 @@ class Expansion {
   const CampaignSpec& spec_;
   const ExistingCases& existing_;
   std::vector<Point> points_;
-  std::vector<std::string> swept_;
+  Derivation derivation_;
+  std::vector<std::string> swept_;     ///< every parameter that a point sets or that is derived from it
   std::vector<Pointer> swept_places_;  ///< the same, to look members up by
   ExclusionUse exclusions_;
   json common_;                                 ///< the document of a case, without what the sweep sets

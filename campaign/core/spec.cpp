@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "campaign/core/derive.hpp"
+#include "campaign/core/parameters.hpp"
 #include "campaign/core/sweep.hpp"
 #include "campaign/core/words.hpp"
 #include "schemas/embedded.hpp"
@@ -142,9 +144,26 @@ bool sound(const std::vector<std::string>& parts, const std::vector<Mistake>& mi
   });
 }
 
+/// What is derived need not be given, although every case needs it.
+void forgive_what_is_derived(const json& derive, std::vector<Mistake>& mistakes) {
+  for (const auto& [name, unused] : derive.items()) {
+    const Parameter* parameter = find_parameter(name);
+    if (!parameter) continue;
+    const std::string where = "/physics" + parameter->pointer.to_string();
+    std::erase_if(mistakes, [&](const Mistake& mistake) {
+      return mistake.where == where && mistake.given == kMissing;
+    });
+  }
+}
+
 void add_cross_checks(const json& document, std::vector<Mistake>& mistakes) {
+  if (sound({"/derive"}, mistakes)) forgive_what_is_derived(document.at("derive"), mistakes);
   if (sound({"/sweep"}, mistakes))
     for (auto& more : sweep_mistakes(document.at("sweep"))) mistakes.push_back(std::move(more));
+  if (sound({"/derive", "/sweep", "/physics"}, mistakes)) {
+    auto found = derive_mistakes(document.at("derive"), document.at("sweep"), document.at("physics"));
+    for (auto& more : found) mistakes.push_back(std::move(more));
+  }
   if (sound({"/execution"}, mistakes)) {
     check_cores(document.at("execution"), mistakes);
     check_precursor_ranks(document, mistakes);
@@ -157,6 +176,7 @@ CampaignSpec spec_of_cases(const json& document) {
   spec.physics = document.at("physics");
   spec.precursor = document.value("precursor", json());
   spec.sweep = document.at("sweep");
+  spec.derive = document.at("derive");
   spec.run = document.at("run");
   return spec;
 }
@@ -185,7 +205,8 @@ CheckedSpec check_spec(const std::string& text, const std::string& source) {
   if (!given.is_object()) return checked;
   const json document = filled(given);
   add_cross_checks(document, checked.mistakes);
-  checked.can_expand = sound({"/format", "/physics", "/precursor", "/sweep", "/run"}, checked.mistakes);
+  checked.can_expand =
+      sound({"/format", "/physics", "/precursor", "/sweep", "/derive", "/run"}, checked.mistakes);
   if (checked.mistakes.empty())
     checked.spec = spec_from(document, source, text);
   else if (checked.can_expand)

@@ -18,6 +18,7 @@ struct CampaignSpec {
   nlohmann::json physics;    ///< common to all cases
   nlohmann::json precursor;  ///< what a precursor has otherwise; null: cases start by themselves
   nlohmann::json sweep;      ///< "grid", "zip", "list", "exclude", all present
+  nlohmann::json derive;     ///< expressions by the name of the parameter that they give
   nlohmann::json run;        ///< members of case.run
   Execution execution;
   std::string source;  ///< file name, for messages

@@ -77,8 +77,7 @@ void add_missing(const json& object, const json& node, const Pointer& at, std::v
   for (const std::string key : node.value("required", json::array())) {
     if (object.contains(key)) continue;
     const json* wanted = child_schema(node, key);
-    mistakes.push_back(
-        {printable_pointer(at / key), "missing", wanted ? "needs " + allowed_by(*wanted) : ""});
+    mistakes.push_back({printable_pointer(at / key), kMissing, wanted ? "needs " + allowed_by(*wanted) : ""});
   }
 }
 

@@ -44,6 +44,9 @@ class JsonSchema {
   std::shared_ptr<const Compiled> compiled_;
 };
 
+/// What is "given" in the mistake of a member that is not there although the schema requires it.
+inline constexpr const char* kMissing = "missing";
+
 /// "an integer from 4 to 100000", "one of \"js\", \"z\"": what a schema node allows.
 [[nodiscard]] std::string allowed_by(const nlohmann::json& schema_node);
 

@@ -75,6 +75,21 @@ class WholeCampaign(EndToEndTest):
         plan = json.loads(self.shared.call("plan", "--json").stdout)
         self.assertEqual({case["outlook"] for case in plan["cases"]}, {"kept"})
 
+    def test_plan_keeps_what_is_now_derived_instead_of_written(self):
+        grid = {key: value for key, value in CAMPAIGN["physics"]["grid"].items() if key != "ny_solid"}
+        derived = changed(CAMPAIGN, physics=dict(CAMPAIGN["physics"], grid=grid), derive={"ny_solid": "ny_fluid / 4"})
+        self.addCleanup(self.shared.write, CAMPAIGN)
+        self.shared.write(derived)
+        cases = json.loads(self.shared.call("plan", "--json").stdout)["cases"]
+        self.assertEqual([(case["label"], case["outlook"]) for case in cases],
+                         [(label, "kept") for label in ("precursor", "G=1_mu=1", "G=2_mu=1", "G=1_mu=10")])
+        self.shared.write(dict(derived, derive={"ny_solid": "ny_fluid / 4", "reynolds": "1400 * G"}))
+        cases = json.loads(self.shared.call("plan", "--json").stdout)["cases"]
+        self.assertEqual([(case["label"], case["outlook"]) for case in cases],
+                         [("precursor_reynolds=1400", "start"), ("precursor", "kept"),
+                          ("reynolds=1400_G=1_mu=1", "waiting"), ("G=2_mu=1", "kept"),
+                          ("reynolds=1400_G=1_mu=10", "waiting")])
+
     def test_table_query_and_export_agree(self):
         self.assertEqual(self.shared.call("table").returncode, 0)
         exported = json.loads(self.shared.call("export", "--json").stdout)

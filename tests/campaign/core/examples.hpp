@@ -20,6 +20,13 @@ inline nlohmann::json elastic_campaign() {
 
 inline Campaign campaign_of(const nlohmann::json& document) { return parse_campaign(document.dump()); }
 
+/// The labels of all cases, in their order.
+inline std::string labels(const Campaign& campaign) {
+  std::string text;
+  for (const auto& c : campaign.cases) text += (text.empty() ? "" : " ") + c.definition.label;
+  return text;
+}
+
 /// What is said against a document; empty when it is accepted.
 inline std::string complaint_about(const nlohmann::json& document) {
   try {

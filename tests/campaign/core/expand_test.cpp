@@ -15,12 +15,7 @@ using nlohmann::json;
 using tests::campaign_of;
 using tests::complaint_about;
 using tests::elastic_campaign;
-
-std::string labels(const Campaign& campaign) {
-  std::string text;
-  for (const auto& c : campaign.cases) text += (text.empty() ? "" : " ") + c.definition.label;
-  return text;
-}
+using tests::labels;
 
 TEST(Expand, PrecursorFirstThenEveryPoint) {
   const Campaign campaign = campaign_of(elastic_campaign());
