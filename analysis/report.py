@@ -98,7 +98,8 @@ def cases_section(status, results):
     for one in status["cases"]:
         row = by_id.get(one["case_id"], {})
         hours = row.get("core_hours")
-        remark = one["reason"] if one["state"] not in ("finished", "new") else ""
+        is_early = one["reason"].startswith("finished early")
+        remark = one["reason"] if is_early or one["state"] not in ("finished", "new") else ""
         rows.append((html.escape(one["label"]), state_of(one), cell(hours, 3), one["attempts"], html.escape(remark),
                      html.escape(row.get("note") or "")))
     return "<h2>Cases</h2>" + table(("case", "state", "core-hours", "attempts", "remark", "note on its results"), rows)

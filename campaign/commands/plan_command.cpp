@@ -86,6 +86,7 @@ void print_json(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
   }
   const nlohmann::ordered_json plan = {
       {"campaign", loaded.campaign.name},
+      {"until", describe(loaded.campaign.until)},
       {"cores", cores == kUnlimitedCores ? nlohmann::ordered_json() : nlohmann::ordered_json(cores)},
       {"wall_seconds", planned.wall_seconds},
       {"disk_bytes", planned.ready.disk_bytes},
@@ -129,6 +130,9 @@ void print_text(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
             << where_and_how_long(loaded.campaign.execution, planned) << "; disk for checkpoints "
             << gigabytes(planned.ready.disk_bytes) << ", free " << gigabytes(planned.ready.disk_free_bytes)
             << ".\n";
+  if (!loaded.campaign.until.empty())
+    std::cout << "A case ends before its end time once it has " << describe(loaded.campaign.until)
+              << "; this is what it takes otherwise.\n";
   print_left_behind(std::cout, loaded, planned.left_behind);
   std::cout << std::flush;
 }

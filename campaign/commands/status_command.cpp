@@ -131,7 +131,7 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now,
     table.rows.push_back(
         {loaded.campaign.cases[i].definition.label, state_words(seen), short_number(time),
          short_number(seen.end_time), static_cast<std::int64_t>(percent_done(time, seen.end_time)), step,
-         std::int64_t{seen.attempts}, seen.state == CaseState::kFinished ? std::string() : seen.reason});
+         std::int64_t{seen.attempts}, seen.state == CaseState::kFinished && !seen.early ? std::string() : seen.reason});
   }
   write_table(std::cout, table, TableFormat::kText);
   if (const std::size_t more = now.observations.size() - chosen.size(); more > 0)

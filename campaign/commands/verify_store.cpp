@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/derived.hpp"
+#include "campaign/observe/averages.hpp"
 #include "campaign/observe/ladder.hpp"
 #include "campaign/store/import_results.hpp"
 #include "campaign/store/store_schema.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "campaign/core/attempt.hpp"
+#include "campaign/core/until.hpp"
 #include "solver/case/case.hpp"
 
 /// The words of the manager. Campaign: what is wanted. Observation: what is there.
@@ -43,12 +44,14 @@ struct CampaignCase {
   int ranks = 1;
   std::string varied = "{}";  ///< what differs among the cases of its kind, with its own values, JSON
   double window_start = 0.0;  ///< its averages begin with the first block that starts at or after this, h/U_b
+  std::vector<IntervalTarget> until;  ///< it ends before its end time once these are met; empty: it does not
 };
 
 struct Campaign {
   std::string name;
   std::string description;
-  std::vector<CampaignCase> cases;  ///< precursors first
+  std::vector<CampaignCase> cases;    ///< precursors first
+  std::vector<IntervalTarget> until;  ///< of all cases but precursors
   Execution execution;
   std::string spec_text;  ///< the campaign file as it was read
 };
@@ -70,6 +73,7 @@ struct Observation {
   std::int64_t step = 0;  ///< furthest step that is safe in a checkpoint or summary
   double time = 0.0;      ///< its time, h/U_b
   double end_time = 0.0;  ///< asked for, h/U_b
+  bool early = false;     ///< it has finished before that, because its intervals are small enough
   bool running = false;
   Presence presence = Presence::kGone;                     ///< of the attempt that makes it count as running
   std::optional<std::filesystem::path> newest_checkpoint;  ///< newest one that is valid

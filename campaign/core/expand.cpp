@@ -119,6 +119,7 @@ class Expansion {
     Campaign campaign{.name = spec_.name,
                       .description = spec_.description,
                       .cases = std::move(cases_.list),
+                      .until = spec_.until,
                       .execution = spec_.execution,
                       .spec_text = spec_.text};
     campaign.cases.insert(campaign.cases.begin(), std::make_move_iterator(precursors_.list.begin()),
@@ -273,6 +274,7 @@ class Expansion {
     made.definition = valid_case(document);
     made.is_precursor = is_precursor;
     made.precursor_id = precursor_id;
+    if (!is_precursor) made.until = spec_.until;  // the end of a precursor is a part of what starts from it
     made.ranks = is_precursor ? spec_.execution.precursor_ranks : spec_.execution.ranks;
     const std::string id = made.definition.id;
     if (!is_precursor) note_idle(document.at("physics"), values, to);

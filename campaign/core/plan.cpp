@@ -19,7 +19,7 @@ class Planner {
     const Observation& seen = observation(c.definition.id);
     if (seen.running || seen.state == CaseState::kRunning)
       return made(c, Outlook::kRunning, why_running(seen.presence));
-    if (is_finished(c)) return made(c, Outlook::kKept, "finished");
+    if (is_finished(c)) return made(c, Outlook::kKept, seen.early ? seen.reason : "finished");
     if (const std::string why = why_blocked(c, seen); !why.empty()) return made(c, Outlook::kBlocked, why);
     if (seen.newest_checkpoint)
       return made(c, Outlook::kResume, "from step " + std::to_string(seen.step) + after(seen));
@@ -57,10 +57,12 @@ class Planner {
     return found == observations_.end() ? kNothing : *found->second;
   }
 
-  /// A finished case whose end time has since been extended is not finished.
+  /// A finished case whose end time has since been extended is not finished, unless its intervals are small
+  /// enough.
   [[nodiscard]] bool is_finished(const CampaignCase& c) const {
     const Observation& seen = observation(c.definition.id);
-    return seen.state == CaseState::kFinished && has_reached(seen.time, c.definition.run.end_time);
+    return seen.state == CaseState::kFinished &&
+           (seen.early || has_reached(seen.time, c.definition.run.end_time));
   }
 
   /// Why a person must look at this case; empty when it may run.

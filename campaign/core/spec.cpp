@@ -156,6 +156,11 @@ void forgive_what_is_derived(const json& derive, std::vector<Mistake>& mistakes)
   }
 }
 
+std::string flow_of(const json& document) {
+  const json& standard = campaign_schema().part(json::json_pointer("/physics/flow"))->at("default");
+  return document.at("physics").value("flow", standard.get<std::string>());
+}
+
 void add_cross_checks(const json& document, std::vector<Mistake>& mistakes) {
   if (sound({"/derive"}, mistakes)) forgive_what_is_derived(document.at("derive"), mistakes);
   if (sound({"/sweep"}, mistakes))
@@ -163,6 +168,10 @@ void add_cross_checks(const json& document, std::vector<Mistake>& mistakes) {
   if (sound({"/derive", "/sweep", "/physics"}, mistakes)) {
     auto found = derive_mistakes(document.at("derive"), document.at("sweep"), document.at("physics"));
     for (auto& more : found) mistakes.push_back(std::move(more));
+  }
+  if (sound({"/until", "/physics"}, mistakes)) {
+    for (auto& more : until_mistakes(document.at("until"), flow_of(document)))
+      mistakes.push_back(std::move(more));
   }
   if (sound({"/execution"}, mistakes)) {
     check_cores(document.at("execution"), mistakes);
@@ -185,6 +194,7 @@ CampaignSpec spec_from(const json& document, const std::string& source, const st
   CampaignSpec spec = spec_of_cases(document);
   spec.name = document.at("name");
   spec.description = document.at("description");
+  spec.until = interval_targets(document.at("until"));
   spec.execution = execution_from(document.at("execution"));
   spec.source = source;
   spec.text = text;

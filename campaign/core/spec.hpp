@@ -15,11 +15,12 @@ namespace softwall::campaign {
 struct CampaignSpec {
   std::string name;
   std::string description;
-  nlohmann::json physics;    ///< common to all cases
-  nlohmann::json precursor;  ///< what a precursor has otherwise; null: cases start by themselves
-  nlohmann::json sweep;      ///< "grid", "zip", "list", "exclude", all present
-  nlohmann::json derive;     ///< expressions by the name of the parameter that they give
-  nlohmann::json run;        ///< members of case.run
+  nlohmann::json physics;             ///< common to all cases
+  nlohmann::json precursor;           ///< what a precursor has otherwise; null: cases start by themselves
+  nlohmann::json sweep;               ///< "grid", "zip", "list", "exclude", all present
+  nlohmann::json derive;              ///< expressions by the name of the parameter that they give
+  std::vector<IntervalTarget> until;  ///< when the cases of the sweep are precise enough
+  nlohmann::json run;                 ///< members of case.run
   Execution execution;
   std::string source;  ///< file name, for messages
   std::string text;

@@ -85,7 +85,10 @@ std::vector<CampaignCase> left_over_cases(const Campaign& campaign, const std::f
     precursors.insert(one->precursor_id);
     found.push_back(std::move(*one));
   }
-  for (CampaignCase& one : found) one.is_precursor = precursors.contains(one.definition.id);
+  for (CampaignCase& one : found) {
+    one.is_precursor = precursors.contains(one.definition.id);
+    if (!one.is_precursor) one.until = campaign.until;
+  }
   std::ranges::sort(found, [](const CampaignCase& a, const CampaignCase& b) {
     return std::pair(!a.is_precursor, a.directory) < std::pair(!b.is_precursor, b.directory);
   });

@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "campaign/core/label.hpp"
+#include "campaign/observe/averages.hpp"
 #include "campaign/observe/ladder.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/system/file_system.hpp"
@@ -54,6 +55,14 @@ void observe_checkpoints(const RunFiles& run, Observation& observation) {
   }
   if (observation.newest_checkpoint || !observation.needs_person.empty()) return;
   if (checkpoints_are_lost(run, observation.case_id)) observation.needs_person = kNoCheckpointLeft;
+}
+
+/// A case that was stopped in order, at a checkpoint, and whose averages there are as precise as they are to
+/// be. Whether they still are is asked of the statistics each time: another target, or another window, needs
+/// nobody to take back what was decided before.
+bool is_finished_early(const Summary& summary, const CampaignCase& campaign_case, const RunFiles& run) {
+  const bool in_order = summary.outcome == "interrupted" || summary.outcome == "finished";
+  return in_order && !is_finished(summary, campaign_case) && intervals_are_met(campaign_case, run);
 }
 
 void apply_summary(const Summary& summary, const CampaignCase& campaign_case, Observation& observation) {
@@ -203,13 +212,19 @@ Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run
   const bool speaks = summary && summary->attempt >= observation.attempts;
   if (speaks) observation.attempts = summary->attempt;
   // Nobody needs the checkpoints of a case that is done, except where other cases start from them.
-  const bool done = speaks && is_finished(*summary, campaign_case) && !campaign_case.is_precursor;
+  const bool early = speaks && is_finished_early(*summary, campaign_case, run);
+  const bool done = early || (speaks && is_finished(*summary, campaign_case) && !campaign_case.is_precursor);
   if (!done) observe_checkpoints(run, observation);
   if (observation.newest_checkpoint) {
     observation.state = CaseState::kInterrupted;
     observation.reason = "ended without a word";
   }
   if (speaks) apply_summary(*summary, campaign_case, observation);
+  if (early) {
+    observation.early = true;
+    observation.state = CaseState::kFinished;
+    observation.reason = "finished early: " + describe(campaign_case.until);
+  }
   return observation;
 }
 
@@ -231,6 +246,7 @@ Observation observe_work(const CampaignCase& campaign_case, const RunFiles& run,
   if (presence == Presence::kGone) return observation;
   observation.running = true;
   observation.state = CaseState::kRunning;
+  observation.early = false;
   observation.reason = remark_on(presence);  // what it was spoke of an end that is over
   if (const auto status = read_status(run, observation.case_id)) {
     observation.seconds_per_step = status->seconds_per_step;

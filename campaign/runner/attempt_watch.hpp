@@ -22,7 +22,8 @@ struct AttemptWatch {
   double moved_at = 0.0;                   ///< monotonic seconds when its step was last seen to advance
   std::int64_t imported_step = 0;          ///< of the checkpoint whose averages were last recorded
   double imported_at = 0.0;                ///< and when, monotonic seconds
-  std::optional<StopLadder> end;           ///< set when it is being ended because it stalled
+  std::optional<StopLadder> end;           ///< set when it is being ended
+  bool stalled = false;                    ///< because it made no step
 
   void report(const Status& newest, double now) {
     if (!status || newest.step > status->step) moved_at = now;

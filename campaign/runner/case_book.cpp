@@ -57,6 +57,7 @@ void CaseBook::mark_unfinished(const CampaignCase& one, const std::filesystem::p
                                const std::string& reason) {
   Observation& now = observations_[index_of(one.definition.id)];
   now.state = CaseState::kInterrupted;
+  now.early = false;
   now.newest_checkpoint = last_checkpoint;
   now.reason = reason;
 }

@@ -64,7 +64,7 @@ RunnerReport Runner::run() {
       }
       if (launcher_.idle()) return report();
       read_reports();
-      end_stalled();
+      end_what_is_over();
       import_on_the_way();
       show_progress();
       signals_.wait(options_.poll);
@@ -211,7 +211,7 @@ void Runner::record_end(const EndedAttempt& ended) {
   working_.erase(ended.case_id);
   AttemptEnd end = describe_end(one, book_.files_of(one), watch.attempt, ended);
   const bool stopping = signals_.stop_requests() > 0;
-  if (watch.end && end.outcome != AttemptOutcome::kFinished) {
+  if (watch.stalled && end.outcome != AttemptOutcome::kFinished) {
     end.outcome = AttemptOutcome::kStalled;
     end.reason = watch.why_ended;
   } else if (stopping && failed_by_itself(end.outcome) && end.outcome != AttemptOutcome::kIoFailure) {
@@ -238,16 +238,17 @@ void Runner::record_state(const CampaignCase& one, const AttemptEnd& end) {
   CaseState state = files.state;
   if (failed_by_itself(end.outcome)) state = CaseState::kFailed;
   if (end.outcome == AttemptOutcome::kDiverged) state = CaseState::kDiverged;
-  store_.set_state(id, state, end.reason);
+  store_.set_state(id, state, files.early ? files.reason : end.reason);
   if (end.outcome == AttemptOutcome::kIoFailure) book_.pause(one, "disk full or I/O error: " + end.reason);
   if (end.outcome == AttemptOutcome::kBadCase) book_.give_up(one, end.reason);
   book_.look_at(one, files, store_.find_case(id).value_or(CaseRecord{}));
   if (one.is_precursor) book_.look_at_precursors();
+  const bool is_finished = book_.seen(one).state == CaseState::kFinished;
   progress_.event(describe_end_of_attempt(one, end, book_.seen(one)),
-                  end.outcome == AttemptOutcome::kFinished      ? Progress::Kind::kGood
+                  is_finished                                   ? Progress::Kind::kGood
                   : end.outcome == AttemptOutcome::kInterrupted ? Progress::Kind::kPlain
                                                                 : Progress::Kind::kBad);
-  if (book_.seen(one).state == CaseState::kFinished)
+  if (is_finished)
     deliver_result(one);
   else if (end.outcome != AttemptOutcome::kDiverged)
     import_result_so_far(store_, one, run);

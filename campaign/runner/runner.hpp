@@ -71,7 +71,8 @@ class Runner {
   void read_reports();
   void note_begin(const CampaignCase& one, AttemptWatch& watch);
   void end_if_stalled(const CampaignCase& one, AttemptWatch& watch, double now);
-  void end_stalled();
+  void end_early(const CampaignCase& one, AttemptWatch& watch, double now);
+  void end_what_is_over();
   void import_on_the_way();
   void end_all();
   [[nodiscard]] RunnerReport leave();

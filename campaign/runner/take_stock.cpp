@@ -71,7 +71,8 @@ void Runner::record_what_is_new() {
     const auto known = before.find(id);
     const bool is_known = known != before.end() && known->second.state == CaseState::kFinished &&
                           seen.back().state == CaseState::kFinished &&
-                          known->second.attempts == seen.back().attempts;
+                          known->second.attempts == seen.back().attempts &&
+                          (!seen.back().early || known->second.state_reason == seen.back().reason);
     if (is_known || working_.contains(id)) continue;
     import_history(store_, one, run, seen.back());
     store_.forgive(id);  // whoever runs the campaign again asks for another try

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "campaign/observe/averages.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/runner/runner.hpp"
@@ -46,8 +47,18 @@ void Runner::import_on_the_way() {
     watch.imported_step = watch.status->checkpoint_step;
     watch.imported_at = now;
     const CampaignCase& one = book_.find(id);
-    import_result_so_far(store_, one, book_.files_of(one));
+    const RunFiles run = book_.files_of(one);
+    import_result_so_far(store_, one, run);
+    if (!watch.end && intervals_are_met(one, run)) end_early(one, watch, now);
   }
+}
+
+/// The solver is asked as a user would ask it: it writes a checkpoint and ends in order. Nothing is noted
+/// anywhere, because what it leaves then tells by itself that the case is done. If the intervals have grown
+/// again by that time, the case goes on to its next checkpoint.
+void Runner::end_early(const CampaignCase& one, AttemptWatch& watch, double now) {
+  progress_.event(one.definition.label + ": " + describe(one.until) + ", asked to end");
+  watch.end.emplace(options_.grace, now);
 }
 
 /// Ranks that never leave MPI_Init write nothing and take no request: they are noticed long before a step
@@ -71,9 +82,11 @@ void Runner::end_if_stalled(const CampaignCase& one, AttemptWatch& watch, double
   progress_.event(one.definition.label + ": " + watch.why_ended + "; ending this attempt",
                   Progress::Kind::kBad);
   watch.end.emplace(grace, now);
+  watch.stalled = true;
 }
 
-void Runner::end_stalled() {
+/// Asks what has stalled, or need not go on, to end.
+void Runner::end_what_is_over() {
   const double now = monotonic_seconds();
   for (auto& [id, watch] : working_) {
     const CampaignCase& one = book_.find(id);

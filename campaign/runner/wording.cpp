@@ -36,6 +36,7 @@ std::string describe_start(const CampaignCase& one, int ranks, const Ladder& lad
 
 std::string describe_end_of_attempt(const CampaignCase& one, const AttemptEnd& end, const Observation& seen) {
   const std::string& label = one.definition.label;
+  if (seen.early) return label + ": " + seen.reason + ", at " + place(seen.time, seen.step);
   const std::string because = end.reason.empty() ? "" : ": " + end.reason;
   switch (end.outcome) {
     case AttemptOutcome::kFinished:

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "analysis/derived.hpp"
+#include "campaign/observe/averages.hpp"
 #include "campaign/observe/history.hpp"
 #include "campaign/observe/ladder.hpp"
 #include "campaign/observe/observe.hpp"
@@ -87,12 +88,6 @@ bool record_if_new(Store& store, const std::string& case_id, const analysis::Der
 
 }  // namespace
 
-analysis::DeriveOptions window_from(double start) {
-  analysis::DeriveOptions options;
-  if (start > 0) options.window_start = start;
-  return options;
-}
-
 void import_history(Store& store, const CampaignCase& one, const RunFiles& run, const Observation& seen) {
   const std::string& id = one.definition.id;
   close_open_attempts(store, one, run);
@@ -118,17 +113,10 @@ bool import_result(Store& store, const CampaignCase& one, const RunFiles& run) {
 
 bool import_result_so_far(Store& store, const CampaignCase& one, const RunFiles& run) {
   const std::string& id = one.definition.id;
-  if (!std::filesystem::exists(run.statistics())) return false;
-  analysis::DerivedQuantities derived;
-  try {
-    const auto statistics = analysis::read_statistics(run.statistics());
-    if (statistics.case_id != id) return false;
-    derived = analysis::derive(statistics, window_from(one.window_start));
-  } catch (const std::runtime_error&) {
-    return false;
-  }
-  return record_if_new(store, id, derived,
-                       [&](const ResultOrigin& origin) { return is_same_window(origin, derived); });
+  const auto derived = averages_so_far(one, run);
+  return derived && record_if_new(store, id, *derived, [&](const ResultOrigin& origin) {
+           return is_same_window(origin, *derived);
+         });
 }
 
 bool is_recorded(const ResultOrigin& origin, const CampaignCase& one, const RunFiles& run) {

@@ -21,11 +21,8 @@ void import_history(Store& store, const CampaignCase& campaign_case, const RunFi
 bool import_result(Store& store, const CampaignCase& campaign_case, const RunFiles& run);
 
 /// The averages so far of a case that has not finished, unless the store has them already. False where there
-/// are none yet, or none that can be used: they are a help and prove nothing. Throws SqliteError.
+/// are none yet, or none that can be used. Throws SqliteError.
 bool import_result_so_far(Store& store, const CampaignCase& campaign_case, const RunFiles& run);
-
-/// The averaging window that begins at this time, h/U_b; 0: with the first block.
-[[nodiscard]] analysis::DeriveOptions window_from(double start);
 
 /// True where nothing can have changed since the result was recorded, so that import_result() need not read
 /// the statistics. Asks the file system alone.

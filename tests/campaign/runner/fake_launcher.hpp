@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,41 @@ class FakeLauncher final : public LauncherWithoutMemory {
 
  private:
   Play play_;
+};
+
+/// Attempts that are looked at again and again: `look` writes what the solver leaves meanwhile, and returns
+/// its exit status once it has ended.
+class WatchedLauncher final : public LauncherWithoutMemory {
+ public:
+  using Look = std::function<std::optional<int>(const campaign::LaunchRequest&)>;
+  explicit WatchedLauncher(Look look) : look_(std::move(look)) {}
+
+  campaign::Handle start(const campaign::LaunchRequest& request) override {
+    running_.push_back(request);
+    started.push_back(request);
+    return request.case_id;
+  }
+  std::vector<campaign::EndedAttempt> collect() override {
+    std::vector<campaign::EndedAttempt> ended;
+    std::erase_if(running_, [&](const campaign::LaunchRequest& request) {
+      const auto code = look_(request);
+      if (code) ended.push_back({request.case_id, *code});
+      return code.has_value();
+    });
+    return ended;
+  }
+  void stop(const std::filesystem::path&, const campaign::Handle& handle,
+            campaign::StopLevel level) override {
+    stops.emplace_back(handle, level);
+  }
+  [[nodiscard]] bool idle() const override { return running_.empty(); }
+
+  std::vector<campaign::LaunchRequest> started;
+  std::vector<std::pair<campaign::Handle, campaign::StopLevel>> stops;
+
+ private:
+  Look look_;
+  std::vector<campaign::LaunchRequest> running_;
 };
 
 }  // namespace softwall::test

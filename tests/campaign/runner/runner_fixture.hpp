@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <string>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "campaign/runner/runner.hpp"
 #include "solver/run_directory/exit_codes.hpp"
 #include "solver/run_directory/statistics_file.hpp"
+#include "solver/run_directory/status.hpp"
 #include "tests/analysis/samples.hpp"
 #include "tests/campaign/core/examples.hpp"
 #include "tests/campaign/observe/run_directory_files.hpp"
@@ -45,6 +47,20 @@ class RunnerTest : public ::testing::Test {
     analysis::write_statistics(run.statistics(), statistics);
     test::write_summary(run, request.case_id, request.attempt, "finished", 1000, end_time);
     return kDone;
+  }
+
+  /// What a solver leaves at a checkpoint and goes on.
+  static void write_so_far(const LaunchRequest& request, std::int64_t step, double time,
+                           analysis::BlockStatistics statistics) {
+    const RunFiles run{request.run_directory};
+    test::write_checkpoint(run, request.case_id, step, time);
+    statistics.case_id = request.case_id;
+    analysis::write_statistics(run.statistics(), statistics);
+    Status status;
+    status.case_id = request.case_id;
+    status.attempt = request.attempt;
+    status.step = status.checkpoint_step = step;
+    std::ofstream(run.status()) << nlohmann::json(status).dump();
   }
 
   RunnerReport run(Launcher& launcher, RunnerOptions options = {}) {

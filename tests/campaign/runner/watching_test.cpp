@@ -20,43 +20,7 @@ TEST_F(RunnerTest, RecordsTheAveragesSoFarAtEveryCheckpoint) {
   const std::string watched = id(1);
   std::vector<std::string> states, windows;
   int asked = 0;
-  const auto write_so_far = [&](const LaunchRequest& request, int checkpoints) {
-    const RunFiles run{request.run_directory};
-    test::write_checkpoint(run, request.case_id, 100 * checkpoints, checkpoints);
-    auto statistics = analysis::samples::elastic_statistics({}, 10 * checkpoints);
-    statistics.case_id = request.case_id;
-    analysis::write_statistics(run.statistics(), statistics);
-    Status status;
-    status.case_id = request.case_id;
-    status.attempt = request.attempt;
-    status.step = status.checkpoint_step = 100 * checkpoints;
-    std::ofstream(run.status()) << nlohmann::json(status).dump();
-  };
-  class Launcher final : public test::LauncherWithoutMemory {
-   public:
-    explicit Launcher(std::function<std::optional<int>(const LaunchRequest&)> look)
-        : look_(std::move(look)) {}
-    Handle start(const LaunchRequest& request) override {
-      running_.push_back(request);
-      return "it";
-    }
-    std::vector<EndedAttempt> collect() override {
-      std::vector<EndedAttempt> ended;
-      std::erase_if(running_, [&](const LaunchRequest& request) {
-        const auto code = look_(request);
-        if (code) ended.push_back({request.case_id, *code});
-        return code.has_value();
-      });
-      return ended;
-    }
-    void stop(const std::filesystem::path&, const Handle&, StopLevel) override {}
-    [[nodiscard]] bool idle() const override { return running_.empty(); }
-
-   private:
-    std::function<std::optional<int>(const LaunchRequest&)> look_;
-    std::vector<LaunchRequest> running_;
-  };
-  Launcher launcher([&](const LaunchRequest& request) -> std::optional<int> {
+  test::WatchedLauncher launcher([&](const LaunchRequest& request) -> std::optional<int> {
     if (request.case_id != watched) return finish(request);
     if (asked > 0) {
       Store now = store();
@@ -65,7 +29,8 @@ TEST_F(RunnerTest, RecordsTheAveragesSoFarAtEveryCheckpoint) {
           tests::answer(now, "SELECT window_end FROM results WHERE case_id = '" + watched + "'"));
     }
     if (request.attempt > 1) return finish(request);
-    write_so_far(request, ++asked);
+    ++asked;
+    write_so_far(request, 100 * asked, asked, analysis::samples::elastic_statistics({}, 10 * asked));
     if (asked < 3) return std::nullopt;
     test::write_summary(RunFiles{request.run_directory}, watched, request.attempt, "interrupted", 300, 3.0);
     return static_cast<int>(ExitCode::kInterrupted);
