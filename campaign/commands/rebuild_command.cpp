@@ -1,7 +1,5 @@
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <iostream>
 #include <map>
 
@@ -21,8 +19,6 @@
 
 namespace softwall::campaign {
 namespace {
-
-constexpr std::array<const char*, 4> kSuffixes = {"", "-wal", "-shm", "-journal"};
 
 /// Attempts by case id, from the store that is about to be replaced: only the newest ones of a run directory
 /// written by an earlier version leave a trace there. Whatever of them can still be read.
@@ -54,21 +50,6 @@ void keep_windows(const std::filesystem::path& folder, std::vector<CampaignCase>
   } catch (const SqliteError&) {
     return;  // told where its attempts are read
   }
-}
-
-/// Out of the way, never removed: with the files that SQLite may keep beside it.
-void set_old_store_aside(const std::filesystem::path& store) {
-  std::string time = utc_now();
-  std::ranges::replace(time, ':', '-');
-  const std::filesystem::path old = store.string() + "." + time;
-  bool any = false;
-  for (const std::string suffix : kSuffixes) {
-    const std::filesystem::path file = store.string() + suffix;
-    if (!std::filesystem::exists(std::filesystem::symlink_status(file))) continue;
-    std::filesystem::rename(file, old.string() + suffix);
-    any = true;
-  }
-  if (any) std::cerr << "The old store is now " << printable(old.string()) << "\n";
 }
 
 /// A folder beside the old store for the new one, until it is complete: a full disk must not leave none.
@@ -147,7 +128,8 @@ ExitStatus rebuild_store(const std::filesystem::path& path) {
     count = fill(store, loaded, left_over);
     store.connection().execute("PRAGMA wal_checkpoint(TRUNCATE)");
   }
-  set_old_store_aside(store_path(loaded.folder));
+  if (const auto old = set_store_aside(loaded.folder); !old.empty())
+    std::cerr << "The old store is now " << printable(old.string()) << "\n";
   publish_file(store_path(workshop.place()), store_path(loaded.folder));
   std::cerr << "Made " << printable(store_path(loaded.folder).string())
             << " from the run directories: " << counted(std::ssize(loaded.campaign.cases), "case") << ", "

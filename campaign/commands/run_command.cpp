@@ -6,9 +6,11 @@
 #include "campaign/core/words.hpp"
 #include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/left_over.hpp"
+#include "campaign/observe/observe.hpp"
 #include "campaign/runner/campaign_lock.hpp"
 #include "campaign/runner/progress.hpp"
 #include "campaign/runner/runner.hpp"
+#include "campaign/store/import_results.hpp"
 #include "campaign/store/text_width.hpp"
 #include "campaign/system/shell_words.hpp"
 #include "campaign/tables/closing_table.hpp"
@@ -55,12 +57,23 @@ ExitStatus status_of(const RunnerReport& report) {
   return report.failed.empty() ? ExitStatus::kDone : ExitStatus::kFailedCases;
 }
 
-}  // namespace
+/// What is left of earlier versions of the campaign file goes into a store that knows nothing yet.
+void record_left_over(Store& store, const std::filesystem::path& folder,
+                      const std::vector<CampaignCase>& left, const Launcher& launcher) {
+  if (left.empty() || !store.all_cases().empty()) return;
+  Transaction together(store.connection());
+  store.record_left_over(left);
+  for (const CampaignCase& one : left) {
+    const RunFiles run = run_files(folder, one);
+    import_history(store, one, run, observe(one, run, launcher));
+    import_result_so_far(store, one, run);
+  }
+  together.commit();
+}
 
-ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& options) {
-  const LoadedCampaign loaded = load_campaign(path);
-  require_writable(loaded.folder);
-  const CampaignLock lock(loaded.folder);
+/// damage: what was wrong with the store that was set aside before; empty: none was.
+ExitStatus run_with_store(const LoadedCampaign& loaded, const RunOptions& options,
+                          const std::string& damage) {
   const auto launcher = make_launcher(loaded.campaign.execution);
   const Preflight ready = preflight(loaded, observe_for_run(loaded, *launcher), *launcher);
   require_nothing_in_the_way(ready, loaded.folder);
@@ -70,12 +83,14 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
       signals;  // also while the report is printed: a reader that has gone away must not change our status
   {
     Progress progress(loaded.folder / "manager.log");
+    if (!damage.empty()) progress.event(damage, Progress::Kind::kBad);
     Store store = Store::open(loaded.folder, OpenMode::kCreate);
     progress.event(loaded.campaign.name + ": " + counted(loaded.campaign.cases.size(), "case") + " in " +
                    loaded.folder.string());
     if (const auto left = left_over_cases(loaded.campaign, loaded.folder); !left.empty()) {
       progress.event(counted(left.size(), "case") + " of earlier versions of the campaign file left out; " +
                      softwall_command("clean", loaded.named) + " lists them");
+      record_left_over(store, loaded.folder, left, *launcher);
     }
     RunnerOptions runner_options;
     runner_options.stall_seconds = options.stall_minutes * 60;
@@ -90,6 +105,26 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   }
   print_report(report, loaded);
   return status_of(report);
+}
+
+}  // namespace
+
+/// A store that is damaged, also while the campaign runs, costs nobody a step: it is set aside, and made
+/// again from the run directories, which are the truth.
+ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& options) {
+  const LoadedCampaign loaded = load_campaign(path);
+  require_writable(loaded.folder);
+  const CampaignLock lock(loaded.folder);
+  std::string damage;
+  try {
+    return run_with_store(loaded, options, damage);
+  } catch (const SqliteError& error) {
+    if (!error.is_damage()) throw;
+    damage = error.what();
+  }
+  const auto old = set_store_aside(loaded.folder);
+  damage += "; the store is made again from the run directories, the old one is now " + old.string();
+  return run_with_store(loaded, options, damage);
 }
 
 }  // namespace softwall::campaign

@@ -82,6 +82,10 @@ bool SqliteError::may_pass() const {
   return code == SQLITE_BUSY || code == SQLITE_LOCKED || code == SQLITE_FULL || code == SQLITE_IOERR;
 }
 
+bool SqliteError::is_damage() const {
+  return primary_code() == SQLITE_CORRUPT || primary_code() == SQLITE_NOTADB;
+}
+
 void Connection::wait_for_locks(std::function<bool()> wait_again) {
   auto kept = std::make_unique<std::function<bool()>>(std::move(wait_again));
   const auto ask = [](void* function, int /*tries*/) {

@@ -26,6 +26,8 @@ class SqliteError : public std::runtime_error {
   [[nodiscard]] int primary_code() const { return code_ & 0xff; }
   /// True for trouble around a sound store that may pass: a lock, a full disk, an I/O error.
   [[nodiscard]] bool may_pass() const;
+  /// True for a file that is no sound store any more.
+  [[nodiscard]] bool is_damage() const;
 
  private:
   int code_;

@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "campaign/store/backup.hpp"
 #include "campaign/store/store_schema.hpp"
 #include "solver/case/atomic_file.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
 
@@ -163,6 +165,21 @@ void set_up_for_writing(Connection& connection, JournalMode journal) {
 }
 
 path store_path(const path& campaign_directory) { return campaign_directory / "results.db"; }
+
+path set_store_aside(const path& campaign_directory) {
+  const path file = store_path(campaign_directory);
+  std::string time = utc_now();
+  std::ranges::replace(time, ':', '-');
+  const path old = beside(file, ("." + time).c_str());
+  bool any = false;
+  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) {
+    const path part = beside(file, suffix);
+    if (!std::filesystem::exists(std::filesystem::symlink_status(part))) continue;
+    std::filesystem::rename(part, beside(old, suffix));
+    any = true;
+  }
+  return any ? old : path();
+}
 
 Connection open_store_file(const path& campaign_directory, OpenMode mode) {
   const path file = store_path(campaign_directory);

@@ -19,6 +19,10 @@ enum class OpenMode { kCreate, kReadWrite, kReadOnly };
 /// Throws SqliteError; a file that is refused is left as it was.
 [[nodiscard]] Connection open_store_file(const std::filesystem::path& campaign_directory, OpenMode mode);
 
+/// Renames results.db of a campaign directory, with the files that SQLite may keep beside it: out of the way,
+/// never removed. Its new name; empty where there was none.
+std::filesystem::path set_store_aside(const std::filesystem::path& campaign_directory);
+
 /// Journal, synchronisation and foreign keys of a connection that writes.
 void set_up_for_writing(Connection& connection, JournalMode journal);
 

@@ -110,19 +110,34 @@ class WholeCampaign(EndToEndTest):
 
     def test_rebuild_gives_the_same_results_from_the_run_directories(self):
         before = self.shared.results()
+        store = self.shared.folder / "results.db"
         for damage in (b"", b"not a database", None):
-            store = self.shared.folder / "results.db"
             if damage is None:
                 store.unlink()
             else:
                 store.write_bytes(damage)
-            if damage is not None:
-                refused = self.shared.call("run")
+                refused = self.shared.call("status")
                 self.assertEqual(refused.returncode, 1, "a damaged store must not look like a new campaign")
                 self.assertIn("rebuild", refused.stderr)
             answer = self.shared.call("rebuild")
             self.assertEqual(answer.returncode, 0, answer.stderr)
             self.assertEqual(self.shared.results(), before)
+
+    def test_a_run_makes_a_damaged_store_again(self):
+        store = self.shared.folder / "results.db"
+        before, good = self.shared.results(), store.read_bytes()
+        attempts = "SELECT case_id, attempt, outcome, resumed_from, wall_seconds FROM attempts ORDER BY case_id"
+        history = self.shared.query(attempts)
+        for damage in (b"", b"not a database", good[: len(good) // 2], good[:8192] + bytes(4096) + good[12288:]):
+            store.write_bytes(damage)
+            mended = self.shared.call("run")
+            self.assertEqual(mended.returncode, 0, mended.stderr)
+            self.assertIn("the store is made again from the run directories, the old one is now", mended.stderr)
+            aside = max(self.shared.folder.glob("results.db.*Z"))
+            self.assertEqual(aside.read_bytes(), damage)
+            self.assertEqual(self.shared.results(), before)
+            self.assertEqual(self.shared.query(attempts), history)
+            self.assert_sound(self.shared)
 
     def test_output_that_nobody_reads_does_no_harm(self):
         process = subprocess.Popen(self.shared.command("run"), stdout=subprocess.PIPE, stderr=subprocess.PIPE)

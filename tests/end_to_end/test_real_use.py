@@ -252,7 +252,7 @@ class RealUse(EndToEndTest):
             self.assertNotIn("softwall rebuild", answer.stderr)
         self.assertEqual(store.read_bytes(), bytes(newer))
         store.write_bytes(b"")
-        answer = campaign.call("run")
+        answer = campaign.call("query", "SELECT 1")
         self.assertEqual(answer.returncode, 1)
         self.assertIn("softwall rebuild", answer.stderr)
         self.assertEqual(campaign.call("rebuild").returncode, 0)
