@@ -8,9 +8,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Temporary names of this program's own files; nobody else's.
+/// Temporary names of this program's own files, and of the file that Open MPI keeps beside one while it is
+/// written; nobody else's.
 bool is_leftover(const std::string& name) {
-  if (name.ends_with(".tmp")) return name.starts_with("checkpoint-") || name.starts_with("fields-");
+  const bool of_open_mpi = name.ends_with(".lock") && name.find(".tmp-") != std::string::npos;
+  if (name.ends_with(".tmp") || of_open_mpi)
+    return name.starts_with("checkpoint-") || name.starts_with("fields-");
   return name.starts_with(".status.json.tmp-") || name.starts_with(".summary.json.tmp-") ||
          name.starts_with(".statistics.h5.tmp-");
 }

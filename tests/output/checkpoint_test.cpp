@@ -219,6 +219,7 @@ TEST_F(CheckpointTest, LeftoversOfAKilledWriterAreSwept) {
   write(support::rigid_channel({12, 6, 0, 12}), {10});
   if (world_.rank() == 0) {
     std::ofstream(run_.checkpoints() / "checkpoint-000000011.h5.tmp") << "half";
+    std::ofstream(run_.checkpoints() / "checkpoint-000000011.h5.tmp-1701904385-2457.lock") << "Open MPI's";
     std::ofstream(run_.checkpoints() / "notes.tmp") << "a person's";
   }
   MPI_Barrier(world_.get());
