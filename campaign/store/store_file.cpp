@@ -65,13 +65,16 @@ void create(const path& file) {
   }
 }
 
-/// What can be seen without opening: an empty file would pass for an empty database.
+/// What can be seen without opening: for SQLite, a file without even a first page is an empty database.
 void check_file(const path& file) {
   if (!std::filesystem::is_regular_file(file)) refuse(file, "is not a file");
-  if (std::filesystem::file_size(file) == 0) {
+  constexpr std::uintmax_t kSmallestPage = 512;
+  const auto size = std::filesystem::file_size(file);
+  if (size < kSmallestPage) {
     refuse(file,
-           "is empty (0 bytes) and no results store: restore a backup, or make it again from the run "
-           "directories",
+           (size == 0 ? "is empty (0 bytes)" : "holds nothing (" + std::to_string(size) + " bytes)") +
+               std::string(" and is no results store: restore a backup, or make it again from the run "
+                           "directories"),
            SQLITE_CORRUPT);
   }
 }

@@ -91,6 +91,8 @@ TEST_F(StoreFileTest, RefusesGarbage) {
   expect_refused("no results store");
   folder.write("results.db", "hello");
   expect_refused("no results store");
+  folder.write("results.db", "x");
+  expect_refused("holds nothing (1 bytes)");
 }
 
 TEST_F(StoreFileTest, RefusesADirectoryOfThatName) {
