@@ -7,6 +7,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
+import threading
 import time
 import unittest
 from pathlib import Path
@@ -85,11 +86,11 @@ class Campaign:
     def call(self, name, *more, **options):
         return subprocess.run(self.command(name, *more), capture_output=True, text=True, timeout=WAIT, **options)
 
-    def start(self, name="run", *more):
+    def start(self, name="run", *more, **options):
         """softwall in the background; what it says goes to runner.err beside the campaign."""
         with open(f"{self.folder}.err", "a") as err:
             return subprocess.Popen(
-                self.command(name, *more), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=err
+                self.command(name, *more), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=err, **options
             )
 
     def said(self):
@@ -169,6 +170,30 @@ class Campaign:
             digest = json.loads(contents[:HEADER_BYTES])["xxh3"]
             data[directory.name] = (newest.name, digest, contents[HEADER_BYTES:])
         return data
+
+
+class OneSolverOnly(threading.Thread):
+    """Watches that never two mpirun work in one run directory."""
+
+    def __init__(self, campaign):
+        super().__init__(daemon=True)
+        self.campaign, self.over, self.crowded = campaign, threading.Event(), []
+
+    def run(self):
+        while not self.over.wait(0.05):
+            found = self.campaign.solvers()
+            # an mpirun that is about to start a rank is there twice for a moment: count only those without parent
+            leaders = [place for pid, (name, place) in found.items()
+                       if name == "mpirun" and parent_of(pid) not in found]
+            self.crowded += [place for place in leaders if leaders.count(place) > 1]
+
+    def __exit__(self, *_):
+        self.over.set()
+        self.join()
+
+    def __enter__(self):
+        self.start()
+        return self
 
 
 class EndToEndTest(unittest.TestCase):

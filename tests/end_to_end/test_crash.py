@@ -3,35 +3,10 @@
 import os
 import signal
 import subprocess
-import threading
 import time
 import unittest
 
-from harness import CAMPAIGN, Campaign, EndToEndTest, changed, is_alive, parent_of, seeded
-
-
-class OneSolverOnly(threading.Thread):
-    """Watches that never two mpirun work in one run directory."""
-
-    def __init__(self, campaign):
-        super().__init__(daemon=True)
-        self.campaign, self.over, self.crowded = campaign, threading.Event(), []
-
-    def run(self):
-        while not self.over.wait(0.05):
-            found = self.campaign.solvers()
-            # an mpirun that is about to start a rank is there twice for a moment: count only those without parent
-            leaders = [place for pid, (name, place) in found.items()
-                       if name == "mpirun" and parent_of(pid) not in found]
-            self.crowded += [place for place in leaders if leaders.count(place) > 1]
-
-    def __exit__(self, *_):
-        self.over.set()
-        self.join()
-
-    def __enter__(self):
-        self.start()
-        return self
+from harness import CAMPAIGN, Campaign, EndToEndTest, OneSolverOnly, changed, is_alive, seeded
 
 
 class Crash(EndToEndTest):
