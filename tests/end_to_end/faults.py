@@ -132,6 +132,19 @@ def zero_a_page(file, random):
     return f"page {page} zeroed"
 
 
+def zero_a_page_of_a_tree(store, random):
+    """SQLite notices what has lost its structure. The text of a page that only continues a long value has none: another
+    text there is found by `softwall verify` and mended by `rebuild`, which a person has to ask for."""
+    contents = store.read_bytes()
+    kinds = (2, 5, 10, 13)  # of pages of tables and indices, in their first byte
+    pages = [page for page in range(1, len(contents) // PAGE) if contents[page * PAGE] in kinds]
+    if not pages:
+        return None
+    page = random.choice(pages)
+    overwrite(store, page * PAGE, bytes(PAGE))
+    return f"page {page} zeroed"
+
+
 def newest_checkpoints(trial):
     """[newest, ...] of every case that has another one left to go on from, and has not finished: nobody looks into
     the checkpoints of a finished case, but for a precursor's, until all have finished that start from it."""
@@ -190,8 +203,16 @@ def damage_the_store(trial, random):
     elif kind == "garbage":
         store.write_bytes(random.randbytes(len(store.read_bytes())))
     else:
-        (truncate if kind == "truncated" else zero_a_page)(store, random)
+        (truncate if kind == "truncated" else zero_a_page_of_a_tree)(store, random)
     return f"SIGKILL to all, results.db {kind}"
+
+
+def damage_the_store_at_work(trial, random):
+    store = trial.campaign.folder / "results.db"
+    if trial.runner.poll() is not None or not store.exists():
+        return None
+    done = zero_a_page_of_a_tree(store, random)
+    return done and f"results.db {done} while softwall works"
 
 
 def lose_statistics(trial, random):
@@ -233,6 +254,10 @@ def fill_the_disk(trial, random):
     return "disk full for a while"
 
 
-FAULTS = [kill_one, kill_one, kill_one, terminate_one, terminate_one, stop_one_for_a_while, kill_the_runner, kill_everything,
-          ask_to_stop, second_manager, two_managers_at_once, damage_the_newest_checkpoint, damage_the_newest_checkpoint,
-          make_a_checkpoint_unreadable, damage_the_store, lose_statistics, lose_statistics, lose_a_summary, fill_the_disk]
+# What is named twice strikes twice as often.
+FAULTS = [
+    kill_one, kill_one, kill_one, terminate_one, terminate_one, stop_one_for_a_while, kill_the_runner, kill_everything,
+    ask_to_stop, second_manager, two_managers_at_once, damage_the_newest_checkpoint, damage_the_newest_checkpoint,
+    make_a_checkpoint_unreadable, damage_the_store, damage_the_store_at_work, lose_statistics, lose_statistics,
+    lose_a_summary, fill_the_disk,
+]
