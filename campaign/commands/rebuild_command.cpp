@@ -56,7 +56,7 @@ void keep_windows(const std::filesystem::path& folder, std::vector<CampaignCase>
 class Workshop {
  public:
   explicit Workshop(const std::filesystem::path& folder)
-      : place_(folder / (".softwall-rebuild-" + std::to_string(getpid()))) {
+      : place_(folder / (kRebuildFolder + std::to_string(getpid()))) {
     std::filesystem::remove_all(place_);
     std::filesystem::create_directory(place_);
   }
@@ -119,6 +119,7 @@ ExitStatus rebuild_store(const std::filesystem::path& path) {
   const LoadedCampaign loaded = load_campaign(path);
   require_writable(loaded.folder);
   const CampaignLock lock(loaded.folder);
+  sweep_unfinished_stores(loaded.folder);
   auto left_over = left_over_cases(loaded.campaign, loaded.folder);
   keep_windows(loaded.folder, left_over);
   const Workshop workshop(loaded.folder);

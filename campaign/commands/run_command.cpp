@@ -115,6 +115,7 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   const LoadedCampaign loaded = load_campaign(path);
   require_writable(loaded.folder);
   const CampaignLock lock(loaded.folder);
+  sweep_unfinished_stores(loaded.folder);
   std::string damage;
   try {
     return run_with_store(loaded, options, damage);

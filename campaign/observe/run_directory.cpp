@@ -39,7 +39,8 @@ void sweep_temporaries(const RunFiles& run) {
   std::error_code ignored;  // a file that stays does no harm
   for (const auto& entry : std::filesystem::directory_iterator(run.directory, ignored)) {
     const std::string name = entry.path().filename();
-    const bool ours = name.starts_with(".case.json.tmp-") || name.starts_with(".run.json.tmp-");
+    const bool ours = name.starts_with(".case.json.tmp-") || name.starts_with(".run.json.tmp-") ||
+                      name.starts_with(".history.json.tmp-");
     if (ours) std::filesystem::remove(entry.path(), ignored);
   }
 }

@@ -169,6 +169,16 @@ void set_up_for_writing(Connection& connection, JournalMode journal) {
 
 path store_path(const path& campaign_directory) { return campaign_directory / "results.db"; }
 
+void sweep_unfinished_stores(const path& campaign_directory) {
+  const std::string temporary = "." + store_path(campaign_directory).filename().string() + ".tmp-";
+  std::error_code ignored;  // a file that stays does no harm
+  for (const auto& entry : std::filesystem::directory_iterator(campaign_directory, ignored)) {
+    const std::string name = entry.path().filename();
+    if (name.starts_with(temporary) || name.starts_with(kRebuildFolder))
+      std::filesystem::remove_all(entry.path(), ignored);
+  }
+}
+
 path set_store_aside(const path& campaign_directory) {
   const path file = store_path(campaign_directory);
   std::string time = utc_now();

@@ -19,6 +19,12 @@ enum class OpenMode { kCreate, kReadWrite, kReadOnly };
 /// Throws SqliteError; a file that is refused is left as it was.
 [[nodiscard]] Connection open_store_file(const std::filesystem::path& campaign_directory, OpenMode mode);
 
+/// Where a new store is made beside an old one that it is to replace: a folder, whose name begins so.
+inline constexpr const char* kRebuildFolder = ".softwall-rebuild-";
+
+/// Removes what is left of stores whose maker was killed. Only while nobody else can make one.
+void sweep_unfinished_stores(const std::filesystem::path& campaign_directory);
+
 /// Renames results.db of a campaign directory, with the files that SQLite may keep beside it: out of the way,
 /// never removed. Its new name; empty where there was none.
 std::filesystem::path set_store_aside(const std::filesystem::path& campaign_directory);

@@ -139,6 +139,22 @@ class WholeCampaign(EndToEndTest):
             self.assertEqual(self.shared.query(attempts), history)
             self.assert_sound(self.shared)
 
+    def test_a_run_sweeps_what_a_killed_one_left(self):
+        for command in ("run", "rebuild"):
+            left = [self.shared.folder / ".results.db.tmp-19968-0", self.shared.folder / ".softwall-rebuild-19968" / "results.db"]
+            if command == "run":
+                left += [self.shared.directory("G=1_mu=1") / f".{name}.json.tmp-19968-0" for name in ("case", "history", "run")]
+            for file in left:
+                file.parent.mkdir(exist_ok=True)
+                file.write_text("half")
+            kept = self.shared.folder / ".results.db.of-a-person"
+            kept.write_text("")
+            self.assertEqual(self.shared.call(command).returncode, 0)
+            self.assertEqual([file for file in left if file.exists() or file.parent.name.startswith(".softwall") and
+                              file.parent.exists()], [])
+            self.assertTrue(kept.exists())
+            kept.unlink()
+
     def test_output_that_nobody_reads_does_no_harm(self):
         process = subprocess.Popen(self.shared.command("run"), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         process.stdout.close()
