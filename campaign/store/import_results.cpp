@@ -18,9 +18,16 @@
 namespace softwall::campaign {
 namespace {
 
+/// A manager that was killed between the two has left the end of an attempt in history.json, and not in the
+/// store. It had seen that end, which nobody can describe as well afterwards.
 void close_open_attempts(Store& store, const CampaignCase& one, const RunFiles& run) {
-  for (const OpenAttempt& open : store.open_attempts(one.definition.id)) {
-    store.end_attempt(open.case_id, open.attempt, describe_end(one, run, open.attempt));
+  const auto open = store.open_attempts(one.definition.id);
+  if (open.empty()) return;
+  const auto told = read_history(run, one.definition.id);
+  for (const OpenAttempt& each : open) {
+    const auto known = std::ranges::find(told, each.attempt, &PastAttempt::attempt);
+    store.end_attempt(each.case_id, each.attempt,
+                      known != told.end() ? known->end : describe_end(one, run, each.attempt));
   }
 }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <csignal>
+
 #include <filesystem>
 
 #include "tests/campaign/runner/fake_launcher.hpp"
@@ -64,6 +66,31 @@ TEST_F(LadderTest, ACaseThatHadCheckpointsDoesNotStartOverUnasked) {
   RunnerOptions options;
   options.start_over = true;
   EXPECT_EQ(run(launcher, options).finished, 5U);
+}
+
+/// It was killed after it had written history.json and before the store had the same.
+TEST_F(RunnerTest, RecordsTheEndThatAKilledRunnerHadSeen) {
+  campaign_.cases.resize(1);
+  test::FakeLauncher launcher([&](const LaunchRequest& request) {
+    if (request.attempt > 1) return finish(request);
+    test::write_checkpoint(RunFiles{request.run_directory}, request.case_id, 10, 1.0);
+    return 128 + SIGSEGV;
+  });
+  run(launcher);
+  const std::string question =
+      "SELECT outcome || reason || exit_code || ended FROM attempts WHERE attempt = 1";
+  Store before = store();
+  const std::string seen = tests::answer(before, question);
+  EXPECT_NE(seen.find("SIGSEGV"), std::string::npos) << seen;
+  Store::open(folder_.path(), OpenMode::kReadWrite)
+      .connection()
+      .execute(
+          "UPDATE attempts SET ended = NULL, outcome = NULL, reason = NULL, exit_code = NULL WHERE attempt = "
+          "1;"
+          "UPDATE cases SET state = 'running'");
+  run(launcher);
+  Store after = store();
+  EXPECT_EQ(tests::answer(after, question), seen);
 }
 
 }  // namespace
