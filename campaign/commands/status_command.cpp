@@ -128,10 +128,11 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now,
   for (const std::size_t i : chosen) {
     const Observation& seen = now.observations[i];
     const auto [time, step] = reached(now, seen);
-    table.rows.push_back(
-        {loaded.campaign.cases[i].definition.label, state_words(seen), short_number(time),
-         short_number(seen.end_time), static_cast<std::int64_t>(percent_done(time, seen.end_time)), step,
-         std::int64_t{seen.attempts}, seen.state == CaseState::kFinished && !seen.early ? std::string() : seen.reason});
+    table.rows.push_back({loaded.campaign.cases[i].definition.label, state_words(seen), short_number(time),
+                          short_number(seen.end_time),
+                          static_cast<std::int64_t>(percent_done(time, seen.end_time)), step,
+                          std::int64_t{seen.attempts},
+                          seen.state == CaseState::kFinished && !seen.early ? std::string() : seen.reason});
   }
   write_table(std::cout, table, TableFormat::kText);
   if (const std::size_t more = now.observations.size() - chosen.size(); more > 0)

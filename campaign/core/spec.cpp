@@ -55,7 +55,7 @@ void check_cores(const json& execution, std::vector<Mistake>& mistakes) {
   for (const char* key : {"ranks", "precursor_ranks"})
     if (const int ranks = execution.at(key); cores > 0 && ranks > cores)
       mistakes.push_back({std::string("/execution/") + key, std::to_string(ranks),
-                          "execution.cores gives " + counted(cores, "core")});
+                          "at most the " + counted(cores, "core") + " given"});
 }
 
 /// Ranks of a precursor are nobody's where there is none.

@@ -88,6 +88,7 @@ TEST(Expand, LabelsNameWhatVaries) {
 
 TEST(Expand, LabelsAreDistinctHoweverManyParametersVary) {
   json document = elastic_campaign();
+  document["physics"]["solid"] = {{"formulation", "transported_B"}};
   document["sweep"]["grid"] = json::object();
   for (const char* name :
        {"G", "viscosity_ratio", "reynolds", "safety", "threshold", "length_z", "min_eigenvalue"})
@@ -194,6 +195,7 @@ TEST(Expand, ThePointWinsOverTheCommonValue) {
 
 TEST(Expand, APrecursorPerFluid) {
   json document = elastic_campaign();
+  document["physics"]["solid"] = {{"formulation", "transported_B"}};
   document["sweep"]["grid"] = {
       {"reynolds", {2800, 3000}}, {"G", {1, 2}}, {"threshold", {0.8, 0.9}}, {"safety", {0.6, 0.7}}};
   const Campaign campaign = campaign_of(document);
