@@ -3,9 +3,11 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/observe/run_reports.hpp"
 #include "solver/case/atomic_file.hpp"
 #include "solver/case/bad_input.hpp"
 
@@ -33,6 +35,18 @@ void prepare_run_directory(const Case& definition, const RunFiles& run,
     prepared.run.initial_checkpoint = initial_checkpoint.lexically_relative(run.directory);
   }
   write_atomically(run.case_file(), to_json(prepared).dump(2) + "\n");
+}
+
+bool restore_case_file(const Case& definition, const RunFiles& run) {
+  if (id_of_case_in(run)) return false;
+  Case ended = definition;
+  if (const auto summary = read_summary(run, definition.id)) ended.run.end_time = summary->end_time;
+  try {
+    prepare_run_directory(ended, run, {});
+  } catch (const std::system_error&) {
+    return false;
+  }
+  return true;
 }
 
 void sweep_temporaries(const RunFiles& run) {

@@ -19,6 +19,10 @@ struct NotThisCase : std::runtime_error {
 void prepare_run_directory(const Case& definition, const RunFiles& run,
                            const std::filesystem::path& initial_checkpoint);
 
+/// Writes the case.json of a case that has ended again, where it is missing or cannot be read. False: it was
+/// sound, or cannot be written; its results do not need it.
+bool restore_case_file(const Case& definition, const RunFiles& run);
+
 /// Remove the manager's half-written files of a moment when it was killed. The solver does so with its own.
 void sweep_temporaries(const RunFiles& run);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "campaign/observe/observe.hpp"
+#include "campaign/observe/run_directory.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/runner/orphans.hpp"
 #include "campaign/runner/runner.hpp"
@@ -68,6 +69,9 @@ void Runner::record_what_is_new() {
     }
     const RunFiles run = book_.files_of(one);
     seen.push_back(observe_files(one, run));
+    if (seen.back().state == CaseState::kFinished && !working_.contains(id) &&
+        restore_case_file(one.definition, run))
+      progress_.event(one.definition.label + ": its case.json was lost, and is written again");
     const auto known = before.find(id);
     const bool is_known = known != before.end() && known->second.state == CaseState::kFinished &&
                           seen.back().state == CaseState::kFinished &&

@@ -144,6 +144,18 @@ class Surroundings(EndToEndTest):
             self.assertEqual(file.read_bytes(), contents)
             self.assertEqual(campaign.results(), results)
 
+    def test_a_case_file_that_is_lost_is_written_again(self):
+        campaign = self.campaign(SHORT)
+        self.run_to_end(campaign)
+        (file,) = campaign.folder.glob("cases/*/case.json")
+        contents = file.read_bytes()
+        for damage in (file.unlink, lambda: file.write_bytes(b"{")):
+            damage()
+            self.assertEqual(campaign.call("verify").returncode, 3)
+            self.run_to_end(campaign, "resume")
+            self.assertEqual(file.read_bytes(), contents)
+            self.assert_sound(campaign)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)
