@@ -90,7 +90,7 @@ class HelpWithExamples : public CLI::Formatter {
     std::string lines = found->second;
     for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos; at += 5)
       lines.insert(at + 1, 4, ' ');
-    return text + "\nExamples:\n    " + lines + "\n";
+    return text + "\nExamples:\n    " + lines + "\n\n";
   }
 };
 
@@ -112,7 +112,8 @@ class CommandLine {
  private:
   CLI::App* add(const std::string& name, const std::string& help, CommandAction action);
   void add_results_commands();
-  void add_beginners_commands();
+  void add_init();
+  void add_completion();
   [[nodiscard]] std::vector<CommandWords> all_words() const;
   void suggest_command(int count, char** words) const;
   [[nodiscard]] bool asks_for_help(int count, char** words) const;
@@ -132,7 +133,7 @@ CommandLine::CommandLine() {
   app_.footer(
       "PATH is a campaign file or its folder. Exit status: 0 all done, 1 error, 2 bad input,\n"
       "3 done with failed cases, 4 unfinished (resume), 5 another softwall runs the campaign.");
-  add_beginners_commands();
+  add_init();
   const auto run = [](const Arguments& given) { return run_campaign(given.path, given.run); };
   for (CLI::App* command : {add("run", "Run a campaign to its end; what is finished is kept", run),
                             add("resume", "Go on with a campaign after any stop or crash", run)}) {
@@ -170,14 +171,18 @@ CommandLine::CommandLine() {
   clean->add_flag("--remove", arguments_.remove, "Remove them, with their run directories");
   add("rebuild", "Make the results store again from the run directories",
       [](const Arguments& given) { return rebuild_store(given.path); });
+  add_completion();
   app_.add_subcommand("help", "Explain softwall, or the command named behind it")
       ->add_option("COMMAND", arguments_.chosen, "A command");
 }
 
-void CommandLine::add_beginners_commands() {
+void CommandLine::add_init() {
   CLI::App* init = add("init", "Write a first campaign file, and explain its keys",
                        [](const Arguments& given) { return begin_campaign(given.path); });
   init->get_option("PATH")->description("A new folder for the campaign, or one without a campaign file");
+}
+
+void CommandLine::add_completion() {
   CLI::App* completion =
       app_.add_subcommand("completion", "Print a script by which a shell completes commands and options");
   completion->add_option("SHELL", arguments_.shell, "bash, zsh or fish")
