@@ -19,17 +19,12 @@ using nlohmann::json;
 
 constexpr const char* kSlurm = "slurm";  // execution.launcher, and the member that belongs to it
 
-template <class Value>
-std::optional<Value> member_if_there(const json& object, const char* name) {
-  return object.contains(name) ? std::optional(object.at(name).get<Value>()) : std::nullopt;
-}
-
 SlurmOptions slurm_from(const json& object) {
   SlurmOptions slurm;
   slurm.account = object.value("account", "");
   slurm.partition = object.value("partition", "");
-  slurm.time_limit_minutes = member_if_there<int>(object, "time_limit_minutes");
-  slurm.nodes = member_if_there<int>(object, "nodes");
+  slurm.time_limit_minutes = optional_member<int>(object, "time_limit_minutes");
+  slurm.nodes = optional_member<int>(object, "nodes");
   slurm.signal_seconds = object.at("signal_seconds");
   slurm.start_with = object.at("start_with");
   slurm.start_options = object.at("start_options");
@@ -44,7 +39,7 @@ Execution execution_from(const json& object) {
   const int precursor_ranks = object.at("precursor_ranks");
   execution.precursor_ranks = precursor_ranks == 0 ? execution.ranks : precursor_ranks;
   execution.cores = object.at("cores");
-  execution.walltime_seconds = member_if_there<double>(object, "walltime_seconds");
+  execution.walltime_seconds = optional_member<double>(object, "walltime_seconds");
   execution.max_failures_without_progress = object.at("max_failures_without_progress");
   if (execution.launcher == kSlurm) execution.slurm = slurm_from(object.at("slurm"));
   return execution;

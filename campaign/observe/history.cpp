@@ -7,6 +7,7 @@
 
 #include "campaign/core/words.hpp"
 #include "solver/case/atomic_file.hpp"
+#include "solver/case/json_text.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -20,13 +21,6 @@ std::filesystem::path history_file(const RunFiles& run) { return run.directory /
 template <class T>
 json if_known(const std::optional<T>& value) {
   return value ? json(*value) : json(nullptr);
-}
-
-template <class T>
-std::optional<T> optional_member(const json& object, const char* name) {
-  const auto member = object.find(name);
-  if (member == object.end() || member->is_null()) return std::nullopt;
-  return member->get<T>();
 }
 
 json to_object(const PastAttempt& past) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,5 +27,13 @@ inline constexpr std::size_t kJsonValueLimit = 200000;
 
 /// Normalises every number inside a value in this way.
 [[nodiscard]] nlohmann::json normalised(nlohmann::json value);
+
+/// A member of an object that may be absent or null.
+template <class Value>
+[[nodiscard]] std::optional<Value> optional_member(const nlohmann::json& object, const char* name) {
+  const auto member = object.find(name);
+  if (member == object.end() || member->is_null()) return std::nullopt;
+  return member->template get<Value>();
+}
 
 }  // namespace softwall

@@ -6,7 +6,6 @@ Exit 77 (skipped) where h5py or matplotlib is not installed.
 
 import contextlib
 import csv
-import importlib.util
 import io
 import json
 import math
@@ -22,6 +21,8 @@ import traceback
 import unittest
 import warnings
 from unittest import mock
+
+import packages_or_skip
 
 WRITER, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
 sys.path.insert(0, str(ROOT / "analysis"))  # as if the scripts were started from there
@@ -315,9 +316,6 @@ class Figures(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    missing = [name for name in ("h5py", "matplotlib") if importlib.util.find_spec(name) is None]
-    if missing:
-        print("skipped: no", ", ".join(missing))
-        sys.exit(77)
+    packages_or_skip.needed("h5py", "matplotlib")
     import moments
     unittest.main(argv=sys.argv[:1])

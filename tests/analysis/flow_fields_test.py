@@ -3,11 +3,12 @@
 Exit 77 (skipped) where h5py or matplotlib is not installed.
 """
 
-import importlib.util
 import pathlib
 import sys
 import tempfile
 import unittest
+
+import packages_or_skip
 
 ROOT = pathlib.Path(sys.argv[1])
 sys.path.insert(0, str(ROOT / "analysis"))
@@ -153,10 +154,7 @@ class Transients(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    missing = [name for name in ("h5py", "matplotlib") if importlib.util.find_spec(name) is None]
-    if missing:
-        print("skipped: no", ", ".join(missing))
-        sys.exit(77)
+    packages_or_skip.needed("h5py", "matplotlib")
     import numpy as np
 
     import batches

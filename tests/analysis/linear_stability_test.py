@@ -4,13 +4,14 @@ linear_stability_test.py ROOT: ROOT is the source folder. Exit 77 (skipped) wher
 """
 
 import csv
-import importlib.util
 import math
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
+
+import packages_or_skip
 
 ROOT = pathlib.Path(sys.argv[1])
 sys.path.insert(0, str(ROOT / "analysis"))
@@ -146,9 +147,7 @@ class CommandLine(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if importlib.util.find_spec("numpy") is None:
-        print("skipped: no numpy")
-        sys.exit(77)
+    packages_or_skip.needed("numpy")
     import numpy as np
 
     import linear_stability
