@@ -307,6 +307,15 @@ def arguments(description, add_options=None):
     return parser.parse_args()
 
 
+def mirrored(y, values, sign=1):
+    """A profile of half a symmetric channel, from the wall to the middle, over its whole height 2."""
+    return np.concatenate([y, 2 - y[::-1]]), np.concatenate([values, sign * values[::-1]])
+
+
+def grids_of(cases):
+    return ", ".join(sorted({case.grid for case in cases}))
+
+
 def caption(cases):
     """What the averages rest on: grids, windows and numbers of blocks, as they are."""
 
@@ -314,11 +323,10 @@ def caption(cases):
         low, high = form(min(values)), form(max(values))
         return low if low == high else f"{low}\N{EN DASH}{high}"
 
-    grids = sorted({case.grid for case in cases})
     starts, ends = [c.start[c.weight > 0][0] for c in cases], [c.end[c.weight > 0][-1] for c in cases]
     one_decimal = "{:.1f}".format
     return (
-        f"Grid {', '.join(grids)} (the paper: {PAPER_GRID}). Means from t = {spread(starts, one_decimal)} "
+        f"Grid {grids_of(cases)} (the paper: {PAPER_GRID}). Means from t = {spread(starts, one_decimal)} "
         f"to {spread(ends, one_decimal)} $h/U_b$, {spread([int((c.weight > 0).sum()) for c in cases], str)} blocks, "
         f"{spread([c.weight.sum() for c in cases], one_decimal)} $h/U_b$ sampled."
     )

@@ -2,7 +2,7 @@
 """Correlation of each velocity component with itself along x or z, at every height from the middle of the channel to half
 of the elastic wall (the paper, figures 14 and 15), from all snapshots in the averaging window and the newest checkpoint."""
 
-from campaign_data import arguments, levels_within, plt, read_campaign, save
+from campaign_data import arguments, grids_of, levels_within, plt, read_campaign, save
 from flow_fields import autocorrelation, flow_fields
 
 import numpy as np
@@ -58,7 +58,7 @@ def main():
     for panel, name in zip(rows[:, 0], "uvw"):
         panel.set_ylabel(rf"${name}'$:  $y/h$")
     figure.colorbar(shades, ax=rows.ravel().tolist(), shrink=0.5, ticks=[0, 0.25, 0.5, 0.75, 1], label=r"$R_{ii}$")
-    grids = ", ".join(sorted({case.grid for case, _ in found}))
+    grids = grids_of(case for case, _ in found)
     save(figure, options, __file__, f"Grid {grids}. Lines: -0.1 (thin), 0.1, 0.3, 0.5, 0.7, 0.9 (thick); blue: the mean "
                                     "interface. Few moments leave large separations uncertain.")
 

@@ -1,15 +1,11 @@
 #!/usr/bin/env python3
 """Rms velocity fluctuations and Reynolds shear stress across the channel (the paper, figure 8)."""
 
-from campaign_data import arguments, caption, plt, read_campaign, read_reference, save
+from campaign_data import arguments, caption, mirrored, plt, read_campaign, read_reference, save
 
 import numpy as np
 
 PANELS = (("u", "uu_Ub2"), ("v", "vv_Ub2"), ("w", "ww_Ub2"))
-
-
-def mirrored(y, values, sign=1):
-    return np.concatenate([y, 2 - y[::-1]]), np.concatenate([values, sign * values[::-1]])
 
 
 def main():

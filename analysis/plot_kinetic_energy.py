@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
 """Turbulent kinetic energy across the channel in the units of each wall (the paper, figure 9)."""
 
-from campaign_data import arguments, caption, plt, read_campaign, read_reference, save
-
-import numpy as np
+from campaign_data import arguments, caption, mirrored, plt, read_campaign, read_reference, save
 
 
 def kinetic_energy(case):
@@ -27,11 +25,9 @@ def main():
     options = arguments(__doc__)
     cases = [case for case in read_campaign(options) if case.has("uu", "vv", "ww")]
     reference = read_reference("mkm180_profiles.csv")
-    y = np.concatenate([reference["y_over_h"], 2 - reference["y_over_h"][::-1]])
-    energy = np.concatenate([reference["k_plus"], reference["k_plus"][::-1]])
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.5), layout="constrained")
     for panel, wall, unit in zip(axes, ("u_tau_w", "u_tau"), (r"(u_\tau^w)^2", r"u_\tau^2")):
-        panel.plot(y, energy, "k+", markersize=4, label="rigid, Moser et al. (1999)")
+        panel.plot(*mirrored(reference["y_over_h"], reference["k_plus"]), "k+", markersize=4, label="rigid, Moser et al. (1999)")
         for case in cases:
             case.draw_profile(panel, in_units_of(wall), label=case.name)
         panel.axvline(2, color="grey", linewidth=0.5)

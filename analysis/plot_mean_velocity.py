@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
 """Mean velocity across the channel, and in wall units of the bottom wall (the paper, figure 5)."""
 
-from campaign_data import arguments, caption, plt, read_campaign, read_reference, save
+from campaign_data import arguments, caption, mirrored, plt, read_campaign, read_reference, save
 
 import numpy as np
 
 
 def plot_outer(axes, cases, reference):
-    y, u = reference["y_over_h"], reference["U_over_Ub"]
-    axes.plot(np.concatenate([y, 2 - y[::-1]]), np.concatenate([u, u[::-1]]), "k+", markersize=5,
+    axes.plot(*mirrored(reference["y_over_h"], reference["U_over_Ub"]), "k+", markersize=5,
               label=r"rigid, Moser et al. (1999), $Re_\tau=178$")
     for case in cases:
         case.draw_profile(axes, lambda each: each.mean("u"), label=case.name)

@@ -4,7 +4,7 @@
 
 import math
 
-from campaign_data import arguments, levels_within, plt, read_campaign, save
+from campaign_data import arguments, grids_of, levels_within, plt, read_campaign, save
 from flow_fields import newest
 
 import numpy as np
@@ -47,7 +47,7 @@ def main():
             panel.set_title(f"{case.name}, " + (r"$(\tilde{y}+d)^+=10$, " if panel is panels[0] else "")
                             + rf"$\tilde{{y}}={yt:.3g}h$, t = {moment.time:.1f}", fontsize=9)
     figure.colorbar(shades, ax=rows.ravel().tolist(), location="bottom", shrink=0.4, aspect=40, label=r"$u'/U_b$")
-    grids = ", ".join(sorted({case.grid for case, _ in moments}))
+    grids = grids_of(case for case, _ in moments)
     save(figure, options, __file__, f"Grid {grids}. The flow goes along x. Lines: $u'^+=\\pm4$ in units of the upper wall.")
 
 

@@ -2,7 +2,7 @@
 """The elastic walls as they stood at the last moment that is on the disk (the paper, figure 10): the surface in true
 proportions, coloured by its height and by the pressure on it, and a third of it from near by."""
 
-from campaign_data import arguments, plt, read_campaign, save
+from campaign_data import arguments, grids_of, plt, read_campaign, save
 from flow_fields import newest
 
 import numpy as np
@@ -79,7 +79,7 @@ def main():
         shades = cm.ScalarMappable(colors.Normalize(-scale, scale), cm.RdBu_r)
         place = figure.add_axes((left, 0.6 * FOOT / height, 0.2, 0.12 / height))
         figure.colorbar(shades, cax=place, orientation="horizontal", label=words)
-    grids = ", ".join(sorted({case.grid for case, _ in moments}))
+    grids = grids_of(case for case, _ in moments)
     save(figure, options, __file__, f"Grid {grids}. The flow goes to the right; the fluid lies below the surface. "
                                     "Proportions are true; the scale of the heights is the paper's.")
 
