@@ -23,7 +23,7 @@
 #include "solver/run_directory/statistics_file.hpp"
 #include "solver/statistics/solid_health.hpp"
 #include "solver/stop_request.hpp"
-#include "solver/time/closed_box.hpp"
+#include "solver/time/closed_box/closed_box.hpp"
 #include "solver/time/initial.hpp"
 #include "solver/time/interface_wave.hpp"
 

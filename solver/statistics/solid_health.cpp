@@ -9,7 +9,7 @@
 #include "solver/parallel/reduce.hpp"
 #include "solver/solid/reference_map/strain.hpp"
 #include "solver/solid/transported_b/limiter.hpp"
-#include "solver/statistics/body.hpp"
+#include "solver/statistics/closed_box/body.hpp"
 #include "solver/statistics/interface_height.hpp"
 
 namespace softwall::statistics {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "solver/case/time_comparison.hpp"
-#include "solver/statistics/box_series.hpp"
+#include "solver/statistics/closed_box/box_series.hpp"
 #include "solver/statistics/profiles.hpp"
 #include "solver/statistics/series.hpp"
 #include "solver/statistics/wave_series.hpp"

@@ -7,10 +7,10 @@
 #include "solver/fluid/walls.hpp"
 #include "solver/grid/halo.hpp"
 #include "solver/parallel/profile.hpp"
-#include "solver/pressure/box_projection.hpp"
+#include "solver/pressure/closed_box/box_projection.hpp"
 #include "solver/pressure/projection.hpp"
 #include "solver/solid/solid.hpp"
-#include "solver/time/implicit_viscosity.hpp"
+#include "solver/time/closed_box/implicit_viscosity.hpp"
 #include "solver/time/state.hpp"
 
 namespace softwall::time {

@@ -1,4 +1,4 @@
-#include "solver/statistics/body.hpp"
+#include "solver/statistics/closed_box/body.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "solver/run_directory/statistics_checks.hpp"
 #include "solver/statistics/statistics.hpp"
 #include "solver/time/advance.hpp"
-#include "solver/time/closed_box.hpp"
+#include "solver/time/closed_box/closed_box.hpp"
 #include "tests/support/physics.hpp"
 
 namespace softwall::statistics {

@@ -1,4 +1,4 @@
-#include "solver/time/closed_box.hpp"
+#include "solver/time/closed_box/closed_box.hpp"
 
 #include <gtest/gtest.h>
 

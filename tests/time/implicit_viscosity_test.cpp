@@ -1,9 +1,9 @@
-#include "solver/time/implicit_viscosity.hpp"
+#include "solver/time/closed_box/implicit_viscosity.hpp"
 
 #include <gtest/gtest.h>
 
 #include "solver/time/advance.hpp"
-#include "solver/time/closed_box.hpp"
+#include "solver/time/closed_box/closed_box.hpp"
 #include "tests/support/fields.hpp"
 #include "tests/support/physics.hpp"
 

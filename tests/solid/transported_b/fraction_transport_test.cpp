@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "solver/solid/disc.hpp"
+#include "solver/time/closed_box/disc.hpp"
 #include "tests/support/carried_solid.hpp"
 #include "tests/support/order.hpp"
 #include "tests/support/physics.hpp"
@@ -202,7 +202,7 @@ Travelled travel(int n, InterfaceTransport interface) {
   });
   Material m = support::solid_everywhere(g);
   const auto begin = [&](int i, int, int k) {
-    return disc_fraction({.x = 0.5, .y = 0.5, .radius = kRadius}, i * g.dx, k * g.dz, g.dx, g.dz);
+    return time::disc_fraction({.x = 0.5, .y = 0.5, .radius = kRadius}, i * g.dx, k * g.dz, g.dx, g.dz);
   };
   support::set_by_index(m.phi, g, g.ny, begin);
   SolidSpec spec = support::carried_spec(WenoWeights::kZ);

@@ -1,10 +1,10 @@
-#include "solver/time/closed_box.hpp"
+#include "solver/time/closed_box/closed_box.hpp"
 
 #include <numbers>
 
 #include "solver/grid/cell_loop.hpp"
-#include "solver/solid/disc.hpp"
 #include "solver/time/advance.hpp"
+#include "solver/time/closed_box/disc.hpp"
 #include "solver/time/initial.hpp"
 
 namespace softwall::time {
@@ -26,7 +26,7 @@ void rotate(grid::VectorField& velocity, const grid::Grid& g) {
 
 State closed_box_at_start(Setup& setup) {
   State s = state_at_rest(setup);
-  if (setup.solid) s.material = solid::disc_at_rest(*setup.physics.solid->disc, setup.grid);
+  if (setup.solid) s.material = disc_at_rest(*setup.physics.solid->disc, setup.grid);
   if (setup.velocity_prescribed) rotate(s.velocity, setup.grid);
   start(s, setup);
   return s;

@@ -2,7 +2,7 @@
 
 #include "solver/grid/halo.hpp"
 #include "solver/grid/stage.hpp"
-#include "solver/pressure/box_solver.hpp"
+#include "solver/pressure/closed_box/box_solver.hpp"
 
 namespace softwall::pressure {
 

@@ -1,8 +1,8 @@
-#include "solver/statistics/box_series.hpp"
+#include "solver/statistics/closed_box/box_series.hpp"
 
 #include <array>
 
-#include "solver/statistics/body.hpp"
+#include "solver/statistics/closed_box/body.hpp"
 #include "solver/statistics/solid_health.hpp"
 
 namespace softwall::statistics {

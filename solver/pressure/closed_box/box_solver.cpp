@@ -1,4 +1,4 @@
-#include "solver/pressure/box_solver.hpp"
+#include "solver/pressure/closed_box/box_solver.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "solver/statistics/body.hpp"
+#include "solver/statistics/closed_box/body.hpp"
 
 #include <algorithm>
 #include <array>

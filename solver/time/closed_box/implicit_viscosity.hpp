@@ -2,7 +2,7 @@
 
 #include "solver/fluid/walls.hpp"
 #include "solver/grid/stage.hpp"
-#include "solver/pressure/box_solver.hpp"
+#include "solver/pressure/closed_box/box_solver.hpp"
 
 /// Viscous terms of a closed box of one viscosity, implicit (Crank-Nicolson), where an explicit step would be
 /// limited to about dx^2 / (4 nu):

@@ -4,7 +4,7 @@
 
 #include "solver/grid/field.hpp"
 #include "solver/parallel/transfer.hpp"
-#include "solver/pressure/real_rows.hpp"
+#include "solver/pressure/closed_box/real_rows.hpp"
 
 /// Solves the second-order equation of the staggered grid
 ///   (laplacian - shift) q = rhs,   shift >= 0,

@@ -1,4 +1,4 @@
-#include "solver/time/implicit_viscosity.hpp"
+#include "solver/time/closed_box/implicit_viscosity.hpp"
 
 #include "solver/grid/cell_loop.hpp"
 

@@ -1,4 +1,4 @@
-#include "solver/pressure/real_rows.hpp"
+#include "solver/pressure/closed_box/real_rows.hpp"
 
 #include <stdexcept>
 #include <vector>

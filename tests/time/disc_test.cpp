@@ -1,4 +1,4 @@
-#include "solver/solid/disc.hpp"
+#include "solver/time/closed_box/disc.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "tests/support/fields.hpp"
 #include "tests/support/physics.hpp"
 
-namespace softwall::solid {
+namespace softwall::time {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -15,7 +15,7 @@ constexpr double kPi = std::numbers::pi;
 double area_of(const DiscSpec& disc, int nx, int ny) {
   const time::Setup setup(support::cavity(nx, ny), MPI_COMM_WORLD);
   const auto& g = setup.grid;
-  const Material m = disc_at_rest(disc, g);
+  const solid::Material m = disc_at_rest(disc, g);
   double area = 0;
   for (const double phi : support::global_values(m.phi, g, g.ny, setup.decomposition.all())) {
     EXPECT_GE(phi, 0);
@@ -49,4 +49,4 @@ TEST(Disc, CellsAreWholeInsideEmptyOutsideAndHalvedByASlotsEdge) {
 }
 
 }  // namespace
-}  // namespace softwall::solid
+}  // namespace softwall::time

@@ -1,11 +1,11 @@
-#include "solver/solid/disc.hpp"
+#include "solver/time/closed_box/disc.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "solver/grid/cell_loop.hpp"
 
-namespace softwall::solid {
+namespace softwall::time {
 
 namespace {
 
@@ -39,8 +39,8 @@ double disc_fraction(const DiscSpec& disc, double x_low, double y_low, double dx
   return length / (kChords * dx);
 }
 
-Material disc_at_rest(const DiscSpec& disc, const Grid& g) {
-  Material m(g);
+solid::Material disc_at_rest(const DiscSpec& disc, const grid::Grid& g) {
+  solid::Material m(g);
   for (int k = 0; k < g.nz; ++k) {
     for (int j = 0; j < g.ny; ++j) {
       for (int i = 0; i < g.nx; ++i) {
@@ -55,4 +55,4 @@ Material disc_at_rest(const DiscSpec& disc, const Grid& g) {
   return m;
 }
 
-}  // namespace softwall::solid
+}  // namespace softwall::time

@@ -1,4 +1,4 @@
-#include "solver/pressure/box_projection.hpp"
+#include "solver/pressure/closed_box/box_projection.hpp"
 
 #include <utility>
 
