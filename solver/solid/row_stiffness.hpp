@@ -19,6 +19,8 @@
 /// of q along t, c2 times what case/cofactor_stiffness.hpp takes for C_tt.
 namespace softwall::solid {
 
+struct RowCoefficients;
+
 struct ImplicitWeights {
   double dt;       ///< of the whole step
   double viscous;  ///< alpha dt of the substep times the viscosity of the fluid
@@ -37,7 +39,6 @@ class RowStiffness {
 
  private:
   using Row = parallel::LineVector<Real>;
-  struct Edges;
   /// Coefficients on the edges of a row: of the difference across the edge itself, and across the one above.
   struct Side {
     Row own, above;
@@ -50,10 +51,10 @@ class RowStiffness {
     Real constant;
   };
   template <bool kViscous>
-  void apply(const Edges& edges, const grid::VectorField& before, Real driving, int first_row,
+  void apply(const RowCoefficients& edges, const grid::VectorField& before, Real driving, int first_row,
              grid::VectorField& velocity);
   template <bool kViscous, bool kNeoHookean>
-  void apply_law(const Edges& edges, const grid::VectorField& before, Real driving, int first_row,
+  void apply_law(const RowCoefficients& edges, const grid::VectorField& before, Real driving, int first_row,
                  grid::VectorField& velocity);
   template <bool kAbove, class Coefficients>
   void solve(const Systems& systems, const Coefficients& c, View<const Real> before, View<Real> velocity);
