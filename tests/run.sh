@@ -14,6 +14,26 @@ build() {  # preset
   cmake --build --preset "$1" --parallel "$jobs"
 }
 
+# Builds a preset behind what follows, with the time that it leaves: tests wait for most of theirs. Its process group is
+# its own, so that it ends with this script.
+build_log=$(mktemp)
+start_building() {  # preset
+  cmake --preset "$1" >"$build_log"
+  set -m
+  nice -n 19 cmake --build --preset "$1" --parallel "$jobs" >>"$build_log" 2>&1 &
+  builder=$!
+  set +m
+}
+stop_building() { [[ -z "${builder:-}" ]] || kill -- "-$builder" 2>/dev/null || true; rm -f "$build_log"; }
+trap stop_building EXIT
+finish_building() {
+  local status=0
+  wait "$builder" || status=$?
+  builder=
+  ((status == 0)) || cat "$build_log"
+  return "$status"
+}
+
 # Runs the tests of a preset, one more at a time than there are cores, as some of them wait for most of their time,
 # and adds up what ctest counted: "90% tests passed, 1 tests failed out of 10".
 run_tests() {  # preset, options of ctest
@@ -43,7 +63,8 @@ echo "as .clang-format says"
 
 step "Build, optimised, in build/"
 build ci
-step "Tests"
+step "Tests, and behind them a build with address and undefined-behaviour sanitizers, in build-sanitize/"
+start_building sanitize
 run_tests ci
 
 step "clang-tidy on the sources that changed last"
@@ -58,8 +79,8 @@ complaints=$(git log -n 40 --format= --name-only --diff-filter=d -- '*.cpp' | aw
 ((tidy == 1)) || echo "as .clang-tidy says"
 echo "$complaints"
 
-step "Build with address and undefined-behaviour sanitizers, in build-sanitize/"
-build sanitize
+step "The rest of the build with sanitizers"
+finish_building
 step "Tests with sanitizers"
 # Open MPI keeps memory until the process ends; only our own leaks are of interest.
 export LSAN_OPTIONS="suppressions=$PWD/tests/sanitizer/leaks.txt:print_suppressions=0"
