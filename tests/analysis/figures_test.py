@@ -154,6 +154,14 @@ class Figures(unittest.TestCase):
                 done = draw(script, self.campaign, "-o", output)
                 self.assert_drawn(done, output)
 
+    def test_the_example_for_ones_own_questions_runs(self):
+        output = pathlib.Path(self.scratch.name) / "notebook.png"
+        for pandas in (True, False):  # with it, where it is installed, and without it
+            with self.subTest(pandas=pandas), mock.patch.dict(sys.modules, {} if pandas else {"pandas": None}):
+                done = draw(ROOT / "analysis" / "notebook.py", self.campaign, "-o", output)
+                self.assert_drawn(done, output)
+                self.assertIn("re_tau", done.stdout)
+
     def test_correlations_are_drawn_along_both_directions(self):
         for axis in "xz":
             output = pathlib.Path(self.scratch.name) / f"correlations_{axis}.png"
