@@ -54,6 +54,12 @@ class PieceExchange {
     take_turn(false);
     exchange(far_, near_);
   }
+  /// In place of back() where nothing is handed back: gives up the far pieces, and leaves the near ones to
+  /// be written.
+  void release() {
+    take_turn(false);
+    if (shared_) meet(line_);  // others may still be reading
+  }
 
  private:
   /// All pieces of one side. Each begins a line of the cache, so that no two ranks write to the same line.

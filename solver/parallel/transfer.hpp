@@ -27,13 +27,14 @@ class Transfer {
   Transfer(const Communicator& line, Extents before, Axis scattered, Axis gathered, int gathered_total,
            Profile* profile = nullptr, Way way = Way::kBest)
       : profile_(profile),
+        rank_(static_cast<std::size_t>(line.rank())),
         before_(before),
         after_(before),
         scattered_(scattered),
         gathered_(gathered),
         scattered_parts_(shares(before[scattered], line.size())),
         gathered_parts_(shares(gathered_total, line.size())) {
-    after_[scattered] = scattered_parts_[static_cast<std::size_t>(line.rank())].size();
+    after_[scattered] = own_part().size();
     after_[gathered] = gathered_total;
     if (trivial()) return;
     pieces_.emplace(line, volumes(before_, scattered_, scattered_parts_),
@@ -41,6 +42,8 @@ class Transfer {
   }
 
   [[nodiscard]] bool trivial() const { return scattered_parts_.size() == 1; }
+  /// The part of the scattered axis that is this rank's after forward().
+  [[nodiscard]] Range own_part() const { return scattered_parts_[rank_]; }
   [[nodiscard]] const Extents& before() const { return before_; }
   [[nodiscard]] const Extents& after() const { return after_; }
   [[nodiscard]] static std::size_t volume(const Extents& e) {
@@ -65,6 +68,8 @@ class Transfer {
     for (std::size_t r = 0; r < scattered_parts_.size(); ++r)
       unpack(pieces_->near(r), {before_, scattered_, scattered_parts_[r]}, target);
   }
+  /// In place of backward() where nothing goes back.
+  void release() { pieces_->release(); }
 
  private:
   /// An array's cells of which one index is in `range`.
@@ -110,6 +115,7 @@ class Transfer {
   }
 
   Profile* profile_;
+  std::size_t rank_;
   Extents before_, after_;
   Axis scattered_, gathered_;
   std::vector<Range> scattered_parts_, gathered_parts_;

@@ -51,6 +51,8 @@ class Transposition {
 
   void to_modes() { pieces_.there(); }
   void to_planes() { pieces_.back(); }
+  /// In place of to_planes() where nothing goes back.
+  void leave_modes() { pieces_.release(); }
 
   /// Values of one of this rank's modes, counted from 0: (j, k) at plane[j * stride + k], all z.
   void load(int mode, T* plane, std::ptrdiff_t stride) {

@@ -49,9 +49,8 @@ Poisson::Poisson(const Grid& g, const parallel::Decomposition& d, parallel::Prof
 }
 
 void Poisson::solve(PoissonRows& rows) {
+  to_modes([&rows](int j, int k, Real* row) { rows.give_right_side(j, k, row); });
   if (columns_to_x_.trivial()) {
-    transform_rows([&rows](int j, int k, Real* row) { rows.give_right_side(j, k, row); });
-    turn_.to_modes();
     for (int mode = 0; mode < turn_.own_modes().size(); ++mode) {
       forward_in_z(mode);
       solve_systems(plane_.data(), mode_stride_, mode);
@@ -60,15 +59,33 @@ void Poisson::solve(PoissonRows& rows) {
     turn_.to_planes();
     transform_back([&rows](int j, int k, const Real* row) { rows.take_solution(j, k, row); });
   } else {
-    gather_rows(rows);
-    transform_rows([this](int j, int k, Real* row) { std::copy_n(whole_row(j, k), grid_.nx_global, row); });
-    turn_.to_modes();
     solve_with_shared_rows();
     turn_.to_planes();
     transform_back(
         [this](int j, int k, const Real* row) { std::copy_n(row, grid_.nx_global, whole_row(j, k)); });
     scatter_rows(rows);
   }
+}
+
+void Poisson::transform(FieldRows& field) {
+  to_modes([&field](int j, int k, Real* row) { field.give(j, k, row); });
+  if (!columns_to_x_.trivial()) columns_to_x_.release();
+  for (int mode = 0; mode < turn_.own_modes().size(); ++mode) {
+    forward_in_z(mode);
+    field.take(turn_.own_modes().begin + mode, columns_to_x_.own_part(), plane_.data(), mode_stride_);
+  }
+  turn_.leave_modes();
+}
+
+template <class GiveRow>
+void Poisson::to_modes(const GiveRow& give) {
+  if (columns_to_x_.trivial()) {
+    transform_rows(give);
+  } else {
+    gather_rows(give);
+    transform_rows([this](int j, int k, Real* row) { std::copy_n(whole_row(j, k), grid_.nx_global, row); });
+  }
+  turn_.to_modes();
 }
 
 /// A few rows of a few planes at a time.
@@ -153,10 +170,11 @@ Real* Poisson::whole_row(int j, int k) {
   return x_whole_.data() + (std::ptrdiff_t(k) * rows_ + j) * grid_.nx_global;
 }
 
-void Poisson::gather_rows(PoissonRows& from) {
+template <class GiveRow>
+void Poisson::gather_rows(const GiveRow& give) {
   Real* row = columns_.data();
   for (int k = 0; k < grid_.nz; ++k) {
-    for (int j = 0; j < grid_.ny; ++j, row += grid_.nx) from.give_right_side(j, k, row);
+    for (int j = 0; j < grid_.ny; ++j, row += grid_.nx) give(j, k, row);
   }
   columns_to_x_.forward(columns_.data(), x_whole_.data());
 }

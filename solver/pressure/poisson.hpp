@@ -40,6 +40,21 @@ class PoissonRows {
   virtual void take_solution(int j, int k, const Real* row) = 0;
 };
 
+/// A field of which nothing but its Fourier coefficients is wanted: gives its rows as PoissonRows does, and
+/// takes one mode in x after the other, those of this rank.
+class FieldRows {
+ public:
+  FieldRows() = default;
+  FieldRows(const FieldRows&) = delete;
+  FieldRows& operator=(const FieldRows&) = delete;
+  virtual ~FieldRows() = default;
+
+  virtual void give(int j, int k, Real* row) = 0;
+  /// Coefficient (mode, n) of row j, n = 0 .. nz - 1, at plane[(j - rows.begin) * stride + n], not
+  /// normalised.
+  virtual void take(int mode, parallel::Range rows, const Complex* plane, std::ptrdiff_t stride) = 0;
+};
+
 class Poisson {
  public:
   Poisson(const Grid& grid, const parallel::Decomposition& decomposition,
@@ -47,6 +62,9 @@ class Poisson {
 
   /// Asks for all of the right-hand side before it hands out the first row of psi.
   void solve(PoissonRows& rows);
+
+  /// Only the way to the coefficients, for statistics. Collective.
+  void transform(FieldRows& field);
 
  private:
   template <class Work>
@@ -61,7 +79,10 @@ class Poisson {
   void backward_in_z(int mode);
   void solve_systems(Complex* plane, std::ptrdiff_t stride, int mode);
   void remove_mean(Complex* plane, std::ptrdiff_t stride) const;
-  void gather_rows(PoissonRows& from);
+  template <class GiveRow>
+  void gather_rows(const GiveRow& give);
+  template <class GiveRow>
+  void to_modes(const GiveRow& give);
   void scatter_rows(PoissonRows& to);
   void solve_with_shared_rows();
   [[nodiscard]] Real* whole_row(int j, int k);

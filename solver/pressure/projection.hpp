@@ -34,6 +34,8 @@ class Projection {
   [[nodiscard]] const grid::Field& psi() const { return psi_; }
   /// Sums of its u* over this rank's cells of each row.
   [[nodiscard]] std::span<const double> row_sums() const { return row_sums_; }
+  /// Its Fourier transforms, for statistics.
+  [[nodiscard]] Poisson& poisson() { return poisson_; }
 
  private:
   const Grid& grid_;
