@@ -43,6 +43,7 @@ Simulation::Simulation(const Case& definition, const RunOptions& options, const 
              output::remembered_layout(options.files, definition.physics, world)),
       state_(time::state_at_rest(setup_)),
       statistics_(setup_),
+      spectra_(setup_, definition.run.spectra_steps),
       checkpoints_(options.files, definition.id, definition.run.keep_checkpoints),
       status_timer_(1.0),
       report_timer_(10.0),
@@ -78,7 +79,11 @@ void Simulation::start_or_resume() {
 
 void Simulation::resume(const output::FoundCheckpoint& found) {
   record_ = output::load_checkpoint(found.file, found.header, setup_, state_);
-  agree(world_, ExitCode::kCheckpointRefused, [&] { statistics_.unpack(record_.statistics); });
+  agree(world_, ExitCode::kCheckpointRefused, [&] {
+    statistics_.unpack(record_.statistics);
+    spectra_.unpack(record_.spectra);
+  });
+  record_.spectra.clear();
   time::start(state_, setup_);
   checkpoint_step_ = state_.step;
   resumed_from_ = relative(found.file);
@@ -116,7 +121,10 @@ void Simulation::step(double convection_rate) {
                                                std::to_string(last_step_.dt));
   }
   time::advance(state_, setup_, last_step_.dt);
-  setup_.profile.time(Phase::kStatistics, [&] { statistics_.sample_step(state_, last_step_.dt); });
+  setup_.profile.time(Phase::kStatistics, [&] {
+    statistics_.sample_step(state_, last_step_.dt);
+    spectra_.sample_step(state_, last_step_.dt);
+  });
   pace_.end_step();
   if (status_timer_.due()) write_status();
 }
@@ -160,6 +168,7 @@ void Simulation::checkpoint() {
   const auto begin = output::Clock::now();
   output::RunRecord now = record_;
   now.statistics = statistics_.pack();
+  now.spectra = spectra_.pack();
   now.limited_cells += limited_cells() - limited_before_;
   const auto file =
       output::write_checkpoint(options_.files, {case_.id, options_.attempt}, state_, now, setup_);
@@ -181,10 +190,12 @@ void Simulation::snapshot(double time_before) {
 void Simulation::write_results() {
   checkpoint();
   const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
+  const auto arrays = spectra_.arrays();
   agree_on_root(world_, ExitCode::kFailed, [&] {
     auto blocks = statistics_.blocks();
     blocks.case_id = case_.id;
     analysis::write_statistics(options_.files.statistics(), blocks);
+    if (!arrays.empty()) analysis::write_arrays(options_.files.spectra(), case_.id, arrays);
   });
 }
 

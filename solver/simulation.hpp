@@ -11,6 +11,7 @@
 #include "solver/output/reports.hpp"
 #include "solver/run_directory/exit_codes.hpp"
 #include "solver/run_directory/run_files.hpp"
+#include "solver/statistics/spectra.hpp"
 #include "solver/statistics/statistics.hpp"
 #include "solver/time/advance.hpp"
 
@@ -70,6 +71,7 @@ class Simulation {
   time::Setup setup_;
   time::State state_;
   statistics::Statistics statistics_;
+  statistics::Spectra spectra_;
   output::Checkpoints checkpoints_;
   output::RunRecord record_;
   double limited_before_ = 0;  ///< cells this program's limiter had touched when the record was read

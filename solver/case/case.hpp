@@ -121,6 +121,7 @@ struct RunSpec {
   double checkpoint_seconds = 0.0;    ///< wall-clock seconds between checkpoints; 0: by steps only
   int keep_checkpoints = 2;
   double field_interval = 0.0;               ///< h/U_b between field snapshots for ParaView; 0: none
+  std::int64_t spectra_steps = 0;            ///< steps between samples of spectra; 0: none
   std::filesystem::path initial_checkpoint;  ///< precursor's checkpoint file; relative to the run directory
 };
 

@@ -131,6 +131,7 @@ RunSpec run_from(const json& run) {
   result.checkpoint_seconds = run.at("checkpoint_seconds");
   result.keep_checkpoints = run.at("keep_checkpoints");
   result.field_interval = run.at("field_interval");
+  result.spectra_steps = run.at("spectra_steps");
   result.initial_checkpoint = run.at("initial_checkpoint").get<std::string>();
   return result;
 }
@@ -218,6 +219,7 @@ json to_json(const RunSpec& run) {
           {"checkpoint_seconds", run.checkpoint_seconds},
           {"keep_checkpoints", run.keep_checkpoints},
           {"field_interval", run.field_interval},
+          {"spectra_steps", run.spectra_steps},
           {"initial_checkpoint", run.initial_checkpoint.string()}};
 }
 

@@ -83,6 +83,14 @@ std::vector<double> CheckpointFile::values(const std::string& name) const {
   return analysis::read_dataset(dataset.get(), name, {analysis::dataset_length(dataset.get(), name)});
 }
 
+std::map<std::string, std::vector<double>> CheckpointFile::more_statistics() const {
+  std::map<std::string, std::vector<double>> found;
+  const Hdf5Id group = analysis::open_group(file_.get(), "statistics");
+  for (const std::string& name : analysis::member_names(group.get()))
+    if (name != "accumulators") found[name] = values("statistics/" + name);
+  return found;
+}
+
 std::array<int, 3> CheckpointFile::extents(const std::string& field) const {
   const Hdf5Id dataset = analysis::open_dataset(file_.get(), field);
   const Hdf5Id space = space_of(dataset, field);
@@ -122,6 +130,7 @@ RunRecord load_checkpoint(const std::filesystem::path& path, const CheckpointHea
       must_equal("step (header and contents differ)", header.step, state.step);
       must_equal("time (header and contents differ)", header.time, state.time);
       record.statistics = file.values("statistics/accumulators");
+      record.spectra = file.more_statistics();
       record.limited_cells = file.number("diagnostics/limited_cells");
       record.solid_volume_at_start = file.number("diagnostics/solid_volume_at_start");
     } catch (const std::exception& error) {

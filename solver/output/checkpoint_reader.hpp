@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ class CheckpointFile {
   [[nodiscard]] double number(const std::string& name) const;
   [[nodiscard]] std::int64_t integer(const std::string& name) const;
   [[nodiscard]] std::vector<double> values(const std::string& name) const;
+
+  /// What stands beside the accumulators of Statistics, by name.
+  [[nodiscard]] std::map<std::string, std::vector<double>> more_statistics() const;
 
   /// {nz, rows, nx} of a field.
   [[nodiscard]] std::array<int, 3> extents(const std::string& field) const;

@@ -9,9 +9,9 @@
 #include "solver/run_directory/build_info.hpp"
 
 // Contents of the file: /time, /step, /driving_gradient; /grid/y_face; /fields/<name>, one [nz][rows][nx]
-// array for each of fields_of(); /statistics/accumulators; /diagnostics/*. No filters, no time stamps: the
-// same state gives the same bytes behind the header. The digest of the whole file takes the place of
-// checksums by dataset.
+// array for each of fields_of(); /statistics/accumulators and sums of Spectra; /diagnostics/*. No filters, no
+// time stamps: the same state gives the same bytes behind the header. The digest of the whole file takes the
+// place of checksums by dataset.
 namespace softwall::output {
 
 namespace {
@@ -33,6 +33,8 @@ void write_contents(const std::filesystem::path& file, time::State& state, const
   out.create_group("statistics");
   out.write_values({"statistics/accumulators", "sums of all blocks, as the solver packs them"},
                    record.statistics);
+  for (const auto& [name, sums] : record.spectra)
+    out.write_values_of_root({"statistics/" + name, "sums of " + name + ", as the solver packs them"}, sums);
   out.create_group("diagnostics");
   out.write_number(
       {"diagnostics/limited_cells", "cells in which B was limited or the map torn, since the case began"},

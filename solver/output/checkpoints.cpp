@@ -15,7 +15,7 @@ bool is_leftover(const std::string& name) {
   if (name.ends_with(".tmp") || of_open_mpi)
     return name.starts_with("checkpoint-") || name.starts_with("fields-");
   return name.starts_with(".status.json.tmp-") || name.starts_with(".summary.json.tmp-") ||
-         name.starts_with(".statistics.h5.tmp-");
+         name.starts_with(".statistics.h5.tmp-") || name.starts_with(".spectra.h5.tmp-");
 }
 
 }  // namespace

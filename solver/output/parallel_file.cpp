@@ -142,6 +142,13 @@ void ParallelFile::write_values(const Label& label, std::span<const double> valu
   write(label, H5T_IEEE_F64LE, {{values.size()}, {0}, {mine}}, values.data());
 }
 
+void ParallelFile::write_values_of_root(const Label& label, std::span<const double> values) {
+  const bool root = all_.rank() == 0;
+  std::uint64_t size = values.size();
+  parallel::check(MPI_Bcast(&size, 1, MPI_UINT64_T, 0, all_.get()), "MPI_Bcast");
+  write(label, H5T_IEEE_F64LE, {{size}, {0}, {root ? size : 0}}, values.data());
+}
+
 void ParallelFile::write_number(const Label& label, double value) { write_values(label, {&value, 1}); }
 
 void ParallelFile::write_integer(const Label& label, std::int64_t value) {

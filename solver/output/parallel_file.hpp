@@ -34,6 +34,8 @@ class ParallelFile {
   void write_field(const Label& label, const grid::Field& field, int rows, const grid::Grid& grid);
   /// Numbers that are the same on every rank; rank 0 writes them.
   void write_values(const Label& label, std::span<const double> values);
+  /// Numbers that rank 0 alone has.
+  void write_values_of_root(const Label& label, std::span<const double> values);
   void write_number(const Label& label, double value);
   void write_integer(const Label& label, std::int64_t value);
 

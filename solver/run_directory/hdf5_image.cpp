@@ -163,9 +163,9 @@ std::string read_text_attribute(hid_t object, const std::string& name) {
 }
 
 Hdf5Id write_dataset(hid_t parent, const std::string& name, const std::vector<double>& values,
-                     const std::vector<hsize_t>& shape) {
+                     const std::vector<hsize_t>& shape, hid_t type) {
   const Hdf5Id space = dataspace(shape);
-  Hdf5Id dataset(H5Dcreate2(parent, name.c_str(), H5T_IEEE_F64LE, space.get(), H5P_DEFAULT,
+  Hdf5Id dataset(H5Dcreate2(parent, name.c_str(), type, space.get(), H5P_DEFAULT,
                             timeless(H5P_DATASET_CREATE).get(), H5P_DEFAULT),
                  H5Dclose, "cannot create dataset " + name);
   if (!values.empty()) {

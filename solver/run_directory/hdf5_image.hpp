@@ -54,9 +54,9 @@ void write_attribute(hid_t object, const std::string& name, const std::string& v
 [[nodiscard]] double read_number_attribute(hid_t object, const std::string& name);
 [[nodiscard]] std::string read_text_attribute(hid_t object, const std::string& name);
 
-/// Doubles in the shape given (one or two dimensions), little endian on disk.
+/// Doubles in the shape given, on disk as `type`.
 [[nodiscard]] Hdf5Id write_dataset(hid_t parent, const std::string& name, const std::vector<double>& values,
-                                   const std::vector<hsize_t>& shape);
+                                   const std::vector<hsize_t>& shape, hid_t type = H5T_IEEE_F64LE);
 /// Throws unless the dataset holds 64-bit floats in exactly this shape.
 [[nodiscard]] std::vector<double> read_dataset(hid_t dataset, const std::string& name,
                                                const std::vector<hsize_t>& shape);

@@ -16,6 +16,7 @@ struct RunFiles {
   [[nodiscard]] std::filesystem::path status() const { return directory / "status.json"; }
   [[nodiscard]] std::filesystem::path summary() const { return directory / "summary.json"; }
   [[nodiscard]] std::filesystem::path statistics() const { return directory / "statistics.h5"; }
+  [[nodiscard]] std::filesystem::path spectra() const { return directory / "spectra.h5"; }
   [[nodiscard]] std::filesystem::path log() const { return directory / "solver.log"; }
   [[nodiscard]] std::filesystem::path lock() const { return directory / "solver.lock"; }
   [[nodiscard]] std::filesystem::path layout() const { return directory / "layout.json"; }

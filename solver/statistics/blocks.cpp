@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "solver/statistics/packed_reader.hpp"
+
 namespace softwall::statistics {
 
 namespace {
@@ -22,23 +24,6 @@ double first_value(Combine combine) {
   }
   return 0;
 }
-
-/// Reads numbers from the front of a span.
-class Reader {
- public:
-  explicit Reader(std::span<const double> packed) : rest_(packed) {}
-  double number() { return numbers(1)[0]; }
-  std::span<const double> numbers(std::size_t n) {
-    if (n > rest_.size()) throw std::runtime_error("statistics of a checkpoint end too early");
-    const auto front = rest_.first(n);
-    rest_ = rest_.subspan(n);
-    return front;
-  }
-  [[nodiscard]] bool empty() const { return rest_.empty(); }
-
- private:
-  std::span<const double> rest_;
-};
 
 }  // namespace
 
@@ -110,7 +95,7 @@ std::vector<double> Blocks::pack() const {
 }
 
 void Blocks::unpack(std::span<const double> packed) {
-  Reader reader(packed);
+  PackedReader reader(packed);
   const auto expected = shape();
   const auto given = reader.numbers(expected.size());
   if (!std::equal(expected.begin(), expected.end(), given.begin())) {
@@ -129,7 +114,7 @@ void Blocks::unpack(std::span<const double> packed) {
     b.series.assign(series.begin(), series.end());
     blocks.push_back(std::move(b));
   }
-  if (!reader.empty()) throw std::runtime_error("statistics of a checkpoint are longer than they say");
+  reader.must_be_at_the_end();
   blocks_ = std::move(blocks);
 }
 

@@ -31,7 +31,8 @@ CAMPAIGN = {
     "run": {"end_time": 0.5},
     "execution": {"ranks": 1, "cores": 1},
 }
-KEPT = ("campaign.json", "results.db", "case.json", "run.json", "status.json", "summary.json", "statistics.h5")
+KEPT = ("campaign.json", "results.db", "case.json", "run.json", "status.json", "summary.json", "statistics.h5",
+        "spectra.h5")
 
 
 def main(name):

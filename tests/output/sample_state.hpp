@@ -26,7 +26,12 @@ inline time::State numbered_state(const time::Setup& setup, std::int64_t step) {
   return state;
 }
 
-inline output::RunRecord sample_record() { return {{1.0, 0.1, -1e-300, 1e300}, 17, 2.25}; }
+inline output::RunRecord sample_record() {
+  return {.statistics = {1.0, 0.1, -1e-300, 1e300},
+          .spectra = {},
+          .limited_cells = 17,
+          .solid_volume_at_start = 2.25};
+}
 
 /// All fields of a state, gathered on every rank.
 inline std::vector<std::vector<double>> all_fields(time::State& state, const time::Setup& setup) {

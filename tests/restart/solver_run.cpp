@@ -29,7 +29,7 @@ json small_case(int steps) {
             {"initial", {{"amplitude", 0.3}}},
             {"statistics", {{"interval_steps", 3}, {"block_length", 0.07}}}}},
           // Half a step less, so that round-off in the sum of steps cannot add one.
-          {"run", {{"end_time", 0.01 * steps - 0.005}, {"checkpoint_seconds", 0}}}};
+          {"run", {{"end_time", 0.01 * steps - 0.005}, {"checkpoint_seconds", 0}, {"spectra_steps", 2}}}};
 }
 
 int exit_code(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
@@ -164,6 +164,8 @@ void expect_same_results(const SolverRun& a, const SolverRun& b) {
   EXPECT_FALSE(checkpoint_data(a.newest_checkpoint()).empty());
   EXPECT_TRUE(contents(a.files().statistics()) == contents(b.files().statistics())) << "statistics differ";
   EXPECT_FALSE(contents(a.files().statistics()).empty());
+  EXPECT_TRUE(contents(a.files().spectra()) == contents(b.files().spectra())) << "spectra differ";
+  EXPECT_FALSE(contents(a.files().spectra()).empty());
 }
 
 }  // namespace softwall::support

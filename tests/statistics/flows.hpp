@@ -39,6 +39,24 @@ inline Physics elastic_case() {
   return p;
 }
 
+/// Samples from some moment on, into short blocks.
+inline Physics scheduled(Physics p) {
+  p.time_step.fixed_dt = 0.003;
+  p.statistics = {.start_time = 0.01, .interval_steps = 4, .block_length = 0.02};
+  return p;
+}
+
+/// Advances a disturbed flow by `steps` and lets `after_step` see each.
+template <class AfterStep>
+void advance_disturbed(time::Setup& setup, int steps, const AfterStep& after_step) {
+  auto s = time::perturbed_laminar(setup);
+  for (int n = 0; n < steps; ++n) {
+    const double dt = time::choose_time_step(s, setup).dt;
+    time::advance(s, setup, dt);
+    after_step(s, dt);
+  }
+}
+
 /// Calls set(i, j, k, x, z) for all columns, rows j0 <= j < j1; x, z is the low corner of the cell.
 template <class Set>
 void for_columns(const grid::Grid& g, int j0, int j1, const Set& set) {

@@ -17,30 +17,13 @@ namespace {
 
 using namespace testing;
 
-Physics scheduled(Physics p) {
-  p.time_step.fixed_dt = 0.003;
-  p.statistics = {.start_time = 0.01, .interval_steps = 4, .block_length = 0.02};
-  return p;
-}
-
-/// Advances a disturbed flow by `steps` and lets `after_step` see each.
-template <class AfterStep>
-void run(time::Setup& setup, int steps, const AfterStep& after_step) {
-  auto s = time::perturbed_laminar(setup);
-  for (int n = 0; n < steps; ++n) {
-    const double dt = time::choose_time_step(s, setup).dt;
-    time::advance(s, setup, dt);
-    after_step(s, dt);
-  }
-}
-
 TEST(Statistics, ContinueBitForBitFromWhatWasPackedAtAnyMoment) {
   constexpr int kSteps = 27;
   for (const auto& physics : {scheduled(rigid_case()), scheduled(elastic_case())}) {
     time::Setup setup(physics, MPI_COMM_WORLD);
     Statistics whole(setup);
     std::vector<Statistics> resumed;  // the n-th starts from what was packed after n steps
-    run(setup, kSteps, [&](const time::State& s, double dt) {
+    advance_disturbed(setup, kSteps, [&](const time::State& s, double dt) {
       Statistics& next = resumed.emplace_back(setup);
       next.unpack(whole.pack());
       whole.sample_step(s, dt);
@@ -55,7 +38,7 @@ TEST(Statistics, IntegrateTheDrivingGradientOverEveryStepFromTheStartTimeOn) {
   time::Setup setup(scheduled(rigid_case()), MPI_COMM_WORLD);
   Statistics statistics(setup);
   double driven = 0, end = 0;
-  run(setup, 28, [&](const time::State& s, double dt) {
+  advance_disturbed(setup, 28, [&](const time::State& s, double dt) {
     statistics.sample_step(s, dt);
     end = s.time;
     if (s.time > 0.01) driven += s.driving_gradient * std::min(dt, s.time - 0.01);
@@ -82,7 +65,7 @@ TEST(Statistics, AreTheTimeWeightedMeansOfTheirSamples) {
   time::Setup setup(physics, MPI_COMM_WORLD);
   Statistics statistics(setup);
   double shear = 0, since = 0, weight = 0;
-  run(setup, 9, [&](const time::State& s, double dt) {
+  advance_disturbed(setup, 9, [&](const time::State& s, double dt) {
     statistics.sample_step(s, dt);
     since += dt;
     if (s.step % 3 != 0) return;
@@ -103,7 +86,7 @@ TEST(Statistics, OfAFlowDoNotDependOnTheNumberOfRanks) {
     for (const MPI_Comm comm : {MPI_COMM_WORLD, MPI_COMM_SELF}) {
       time::Setup setup(physics, comm);
       Statistics statistics(setup);
-      run(setup, 24, [&](const time::State& s, double dt) { statistics.sample_step(s, dt); });
+      advance_disturbed(setup, 24, [&](const time::State& s, double dt) { statistics.sample_step(s, dt); });
       packed.push_back(statistics.pack());
     }
     ASSERT_EQ(packed[0].size(), packed[1].size());
@@ -116,7 +99,7 @@ TEST(Statistics, OfAFlowDoNotDependOnTheNumberOfRanks) {
 TEST(Statistics, AreTheSameOnEveryRank) {
   time::Setup setup(scheduled(elastic_case()), MPI_COMM_WORLD);
   Statistics statistics(setup);
-  run(setup, 16, [&](const time::State& s, double dt) { statistics.sample_step(s, dt); });
+  advance_disturbed(setup, 16, [&](const time::State& s, double dt) { statistics.sample_step(s, dt); });
   const auto here = statistics.pack();
   auto root = here;
   MPI_Bcast(root.data(), static_cast<int>(root.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD);
@@ -128,7 +111,7 @@ TEST(Statistics, MakeAValidStatisticsFile) {
     time::Setup setup(physics, MPI_COMM_WORLD);
     Statistics statistics(setup);
     EXPECT_EQ(analysis::mistakes(statistics.blocks()), std::vector<std::string>{});
-    run(setup, 20, [&](const time::State& s, double dt) { statistics.sample_step(s, dt); });
+    advance_disturbed(setup, 20, [&](const time::State& s, double dt) { statistics.sample_step(s, dt); });
     const auto blocks = statistics.blocks();
     EXPECT_EQ(analysis::mistakes(blocks), std::vector<std::string>{});
     EXPECT_EQ(blocks.profiles.count("elastic_stress"), physics.solid ? 1u : 0u);
@@ -143,7 +126,7 @@ TEST(Statistics, KeepThePeakOfTheInterfaceAndTheWorstOfTheSolid) {
   time::Setup setup(physics, MPI_COMM_WORLD);
   Statistics statistics(setup);
   double peak = 0, worst = 1, det = 0;
-  run(setup, 12, [&](const time::State& s, double dt) {
+  advance_disturbed(setup, 12, [&](const time::State& s, double dt) {
     statistics.sample_step(s, dt);
     peak = std::max(peak, interface_shape(s.material.phi, setup.grid, setup.decomposition).max_deviation);
     const auto health = solid_health(s, setup);

@@ -1,0 +1,98 @@
+#include "solver/statistics/spectra.hpp"
+
+#include <algorithm>
+
+#include "solver/statistics/interface_height.hpp"
+#include "solver/statistics/interface_moments.hpp"
+#include "solver/statistics/packed_reader.hpp"
+#include "solver/statistics/spectra_arrays.hpp"
+
+namespace softwall::statistics {
+
+namespace {
+
+std::vector<double> copy(std::span<const double> values) { return {values.begin(), values.end()}; }
+
+constexpr const char *kSchedule = "spectra_schedule", *kFlow = "spectra_of_flow",
+                     *kInterface = "interface_moments", *kWaves = "interface_waves";
+
+}  // namespace
+
+Spectra::Spectra(time::Setup& setup, std::int64_t interval_steps)
+    : setup_(setup), interval_steps_(interval_steps) {
+  if (interval_steps == 0 || is_closed_box(setup.physics.flow)) return;
+  const auto& spec = setup.physics.statistics;
+  const BlockSchedule shortest{spec.start_time, spec.block_length};
+  flow_.emplace(setup.grid, setup.decomposition);
+  of_flow_.emplace(shortest, flow_->part_size());
+  if (!setup.solid) return;
+  of_interface_.emplace(shortest, kInterfaceMoments.size() + kHeightBins);
+  waves_.emplace(setup.grid);
+}
+
+void Spectra::sample_step(const time::State& s, double dt) {
+  const double begin = std::max(s.time - dt, setup_.physics.statistics.start_time);
+  if (!flow_ || !(s.time > begin)) return;
+  if (!started_) {
+    started_ = true;
+    last_sample_ = begin;
+  }
+  const bool wave_is_due = waves_ && InterfaceModes::is_due(s, dt), is_due = s.step % interval_steps_ == 0;
+  if (!wave_is_due && !is_due) return;
+  std::vector<double> heights;
+  if (s.elastic) heights = heights_of_solid(s.material.phi, setup_.grid);
+  if (wave_is_due) waves_->add(s, heights, setup_);
+  if (!is_due) return;
+  sample_fields(s, s.time - last_sample_, heights);
+  last_sample_ = s.time;
+}
+
+void Spectra::sample_fields(const time::State& s, double weight, const std::vector<double>& heights) {
+  of_flow_->add_sample(s.time, weight, flow_->part_of(s, heights, setup_.projection->poisson()));
+  if (of_interface_) of_interface_->add_sample(s.time, weight, interface_sample(s, heights, setup_));
+}
+
+Spectra::Packed Spectra::pack() const {
+  Packed packed;
+  if (!flow_) return packed;
+  packed[kSchedule] = {started_ ? 1.0 : 0.0, last_sample_};
+  packed[kFlow] = of_flow_->pack([this](std::span<const double> part) { return flow_->whole(part); });
+  if (of_interface_) packed[kInterface] = of_interface_->pack(copy);
+  if (waves_) packed[kWaves] = waves_->pack();
+  return packed;
+}
+
+void Spectra::unpack(const Packed& packed) {
+  const auto with = [&packed](const char* name, const auto& take) {
+    if (const auto found = packed.find(name); found != packed.end()) take(found->second);
+  };
+  if (!flow_) return;
+  with(kSchedule, [this](std::span<const double> values) {
+    PackedReader reader(values);
+    started_ = reader.number() != 0;
+    last_sample_ = reader.number();
+  });
+  with(kFlow, [this](std::span<const double> values) {
+    of_flow_->unpack(values, flow_->whole_size(),
+                     [this](std::span<const double> whole) { return flow_->part(whole); });
+  });
+  if (of_interface_) {
+    with(kInterface, [this](std::span<const double> values) {
+      of_interface_->unpack(values, of_interface_->values(), copy);
+    });
+  }
+  if (waves_) with(kWaves, [this](std::span<const double> values) { waves_->unpack(values); });
+}
+
+std::vector<analysis::NamedArray> Spectra::arrays() const {
+  std::vector<analysis::NamedArray> arrays;
+  if (!flow_) return arrays;
+  append_grid(setup_, arrays);
+  append_spectra(*flow_, *of_flow_, last_sample_, setup_, arrays);
+  if (of_interface_) append_interface(*of_interface_, last_sample_, setup_, arrays);
+  if (waves_) append_waves(*waves_, arrays);
+  if (setup_.decomposition.all().rank() != 0) arrays.clear();
+  return arrays;
+}
+
+}  // namespace softwall::statistics
