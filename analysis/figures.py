@@ -28,6 +28,9 @@ FIGURES = {
     "velocity_planes": ("plot_velocity_planes.py",),
     "correlations_x": ("plot_correlations.py", "--axis", "x"),
     "correlations_z": ("plot_correlations.py", "--axis", "z"),
+    "spectra": ("plot_spectra.py",),
+    "interface_shape": ("plot_interface_shape.py",),
+    "wave_speeds": ("plot_wave_speeds.py",),
     "stress": ("plot_stress.py",),
 }
 PICTURES = ("wall_surface", "velocity_planes", "correlations_x", "correlations_z")  # of the flow, more than lines

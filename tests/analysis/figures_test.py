@@ -31,8 +31,9 @@ ALL_SCRIPTS = sorted((ROOT / "analysis").glob("plot_*.py"))
 WAVES = ROOT / "analysis" / "plot_interface_waves.py"  # draws a campaign of its own
 GROWTH = ROOT / "analysis" / "plot_growth_rates.py"
 CORRELATIONS = ROOT / "analysis" / "plot_correlations.py"  # drawn along both directions
+SPEEDS = ROOT / "analysis" / "plot_wave_speeds.py"  # linear theory takes its time: drawn of one case
 SCRIPTS = [script for script in ALL_SCRIPTS
-           if "from box_data import" not in script.read_text() and script not in (WAVES, GROWTH, CORRELATIONS)]
+           if "from box_data import" not in script.read_text() and script not in (WAVES, GROWTH, CORRELATIONS, SPEEDS)]
 
 
 def make_campaign(folder):
@@ -167,15 +168,37 @@ class Figures(unittest.TestCase):
             output = pathlib.Path(self.scratch.name) / f"correlations_{axis}.png"
             self.assert_drawn(draw(CORRELATIONS, self.campaign, "--axis", axis, "-o", output), output)
 
+    def test_wave_speeds_are_drawn(self):
+        with tempfile.TemporaryDirectory() as folder:
+            make_campaign(folder)
+            for file in pathlib.Path(folder).glob("cases/*/spectra.h5"):
+                if file.parent.name != "G=1_mu=1":
+                    file.unlink()
+            output = pathlib.Path(folder) / "speeds.png"
+            self.assert_drawn(draw(SPEEDS, folder, "-o", output), output)
+
+    def test_correlations_are_drawn_from_moments_where_there_are_no_spectra(self):
+        with tempfile.TemporaryDirectory() as folder:
+            make_campaign(folder)
+            for file in pathlib.Path(folder).glob("cases/*/spectra.h5"):
+                file.unlink()
+            output = pathlib.Path(folder) / "correlations.png"
+            self.assert_drawn(draw(CORRELATIONS, folder, "-o", output), output)
+
     def test_flow_without_moments_is_explained(self):
         with tempfile.TemporaryDirectory() as folder:
             make_campaign(folder)
-            for file in [*pathlib.Path(folder).glob("cases/*/fields/*"), *pathlib.Path(folder).glob("cases/*/checkpoints/*")]:
-                file.unlink()
+            for kind in ("fields/*", "checkpoints/*", "spectra.h5"):
+                for file in pathlib.Path(folder).glob(f"cases/*/{kind}"):
+                    file.unlink()
             for name in ("correlations", "velocity_planes", "wall_surface"):
                 done = draw(ROOT / "analysis" / f"plot_{name}.py", folder)
                 self.assertEqual(done.returncode, 1)
-                self.assertRegex(done.stderr, "^no .* has a snapshot or a checkpoint\n$")
+                self.assertRegex(done.stderr, "^no .* has (spectra, )?a snapshot or a checkpoint\n$")
+            for name in ("spectra", "interface_shape", "wave_speeds"):
+                done = draw(ROOT / "analysis" / f"plot_{name}.py", folder)
+                self.assertEqual(done.returncode, 1)
+                self.assertRegex(done.stderr, "^no .* has .* in its averaging window\n$")
 
     def assert_drawn(self, done, picture):
         self.assertEqual(done.returncode, 0, done.stderr)

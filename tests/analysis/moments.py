@@ -66,14 +66,58 @@ def write_checkpoint(file, y_face, time, solid):
             data["fields/d_y"] = np.broadcast_to(eta() - 2, (NZ, len(y_face), NX))
 
 
+def _write_blocks(data, group, start, end):
+    data[f"{group}/start"], data[f"{group}/end"], data[f"{group}/weight"] = start, end, end - start
+
+
+def write_spectra(file, y_face, blocks, elastic):
+    """spectra.h5 with the waves of `eta` and `velocity`, and a power law beside them; a wave of the interface that travels
+    with speed 0.6. `blocks`: their bounds, h/U_b."""
+    import h5py
+
+    start, end = np.array(blocks[:-1]), np.array(blocks[1:])
+    with h5py.File(file, "w", userblock_size=512) as data:
+        data["grid/y_center"], data["grid/y_face"] = (y_face[1:] + y_face[:-1]) / 2, y_face
+        data["grid/length"], data["grid/columns"] = [LENGTH_X, LENGTH_Z], [float(NX), float(NZ)]
+        data["grid/interface_y"] = [2.0]
+        _write_blocks(data, "spectra", start, end)
+        for axis, n in (("x", NX), ("z", NZ)):
+            mode = np.arange(n // 2 + 1)
+            power = 1e-5 * np.where(mode > 0, np.maximum(mode, 1.0) ** (-5 / 3), 0)
+            power[1] += 0.005
+            rows = power[:, None] * (1 + 0.25 * (y_face[1:] + y_face[:-1]))**2
+            for name in "uvwp":
+                data[f"spectra/{axis}_{name}"] = np.broadcast_to(rows, (len(start), *rows.shape)).astype("f4")
+            if elastic:
+                height = AMPLITUDE**2 / 2 * (mode == (WAVES if axis == "x" else 0)) + 1e-3 * power
+                data[f"spectra/{axis}_eta"] = np.broadcast_to(height, (len(start), len(height)))
+        if not elastic:
+            return
+        _write_blocks(data, "interface", start, end)
+        edges = np.linspace(-0.5, 0.5, 257)
+        share = np.histogram(AMPLITUDE * np.cos(2 * np.pi * (np.arange(1000) + 0.5) / 1000), edges)[0] / 1000
+        data["interface/bin_edges"], data["interface/share"] = edges, np.broadcast_to(share, (len(start), 256))
+        for name, value in (("eta2", AMPLITUDE**2 / 2), ("eta3", 0.0), ("eta4", 3 / 8 * AMPLITUDE**4)):
+            data[f"interface/{name}"] = np.full(len(start), value)
+        for name in ("uu", "vv", "ww", "pp", "uv", "up", "vp", "u_eta", "v_eta", "p_eta"):
+            data[f"interface/{name}"] = np.full(len(start), 0.01)
+        time = np.arange(start[0], end[-1], 0.0503)
+        amplitude = np.zeros((len(time), 8), complex) + 1e-5
+        amplitude[:, WAVES - 1] = AMPLITUDE / 2 * np.exp(-2j * np.pi * WAVES / LENGTH_X * 0.6 * time)
+        data["interface_waves/time"] = time
+        data["interface_waves/real"], data["interface_waves/imaginary"] = amplitude.real, amplitude.imag
+
+
 def write_moments(campaign):
-    """A snapshot and a later checkpoint for every case of a campaign with statistics."""
+    """A snapshot, a later checkpoint and spectra for every case of a campaign with statistics."""
     import h5py
 
     for directory in (pathlib.Path(campaign) / "cases").iterdir():
         elastic = json.loads((directory / "case.json").read_text())["physics"]["flow"] == "elastic_wall"
         with h5py.File(directory / "statistics.h5") as statistics:
             y_face = statistics["grid/y_face"][:]
+            blocks = [*statistics["blocks/start"][:], statistics["blocks/end"][-1]]
+        write_spectra(directory / "spectra.h5", y_face, blocks[::4], elastic)
         for folder in ("fields", "checkpoints"):
             (directory / folder).mkdir(exist_ok=True)
         write_snapshot(directory / "fields" / "fields-000000010.h5", y_face, 120.0, elastic)

@@ -1,0 +1,122 @@
+"""spectra_test.py ROOT: what the figures make of spectra.h5. ROOT is the source folder.
+
+Exit 77 (skipped) where h5py or matplotlib is not installed.
+"""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import packages_or_skip
+
+ROOT = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(ROOT / "analysis"))
+
+
+class FakeCase:
+    def __init__(self, directory, start):
+        self.directory, self.start = pathlib.Path(directory), [start]
+
+
+class Correlations(unittest.TestCase):
+    def test_of_any_field_they_are_those_that_its_values_have(self):
+        random = np.random.default_rng(1)
+        for n in (11, 12):
+            values = random.standard_normal((7, n))
+            values -= values.mean()
+            power = (abs(np.fft.rfft(values)) ** 2 / n**2).mean(axis=0)
+            power[1:] *= 2
+            if n % 2 == 0:
+                power[-1] /= 2
+            exact = np.array([(values * np.roll(values, -shift, axis=1)).mean() for shift in range(n // 2 + 1)])
+            found = spectra_data.correlation_of(power[None], n)
+            self.assertLess(abs(found[0] - exact / exact[0]).max(), 1e-14)
+        self.assertTrue((spectra_data.correlation_of(np.zeros((2, 6)), 10) == 0).all())
+
+
+class SpectraFile(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+        self.y_face = np.concatenate([np.linspace(0, 2, 11), np.linspace(2.1, 2.5, 5)])
+        moments.write_spectra(self.folder / "spectra.h5", self.y_face, [0.0, 10, 20, 30], elastic=True)
+
+    def test_means_are_those_of_the_blocks_from_the_start_of_the_window_on(self):
+        with h5py.File(self.folder / "spectra.h5", "r+") as data:
+            data["spectra/x_u"][0] = 1e9
+            data["spectra/x_u"][1] *= 2
+            rows = data["spectra/x_u"][2].astype(float)
+        spectra = spectra_data.read_spectra(FakeCase(self.folder, 10))
+        self.assertEqual(list(spectra.flow.start), [10, 20])
+        found = spectra.spectrum("x", "u") * 2 * np.pi / moments.LENGTH_X
+        self.assertLess(abs(found - 1.5 * rows).max(), 1e-9)
+
+    def test_integrals_of_spectra_are_mean_squares(self):
+        spectra = spectra_data.read_spectra(FakeCase(self.folder, 0))
+        for axis in "xz":
+            k, E = spectra.wave_numbers(axis), spectra.spectrum(axis, "eta")
+            self.assertAlmostEqual(E.sum() * k[1], moments.AMPLITUDE**2 / 2, delta=2e-5)
+        self.assertAlmostEqual(spectra.wave_numbers("x")[moments.WAVES], 2 * np.pi * moments.WAVES / moments.LENGTH_X)
+
+    def test_v_stands_on_the_faces(self):
+        spectra = spectra_data.read_spectra(FakeCase(self.folder, 0))
+        self.assertTrue((spectra.heights("v") == self.y_face[:-1]).all())
+        self.assertEqual(spectra.correlation("z", "v").shape, (len(self.y_face) - 1, moments.NZ // 2 + 1))
+
+    def test_without_a_block_in_the_window_or_a_file_there_is_nothing(self):
+        self.assertIsNone(spectra_data.read_spectra(FakeCase(self.folder, 25)))
+        (self.folder / "spectra.h5").write_bytes(b"damaged")
+        self.assertIsNone(spectra_data.read_spectra(FakeCase(self.folder, 0)))
+        (self.folder / "spectra.h5").unlink()
+        self.assertIsNone(spectra_data.read_spectra(FakeCase(self.folder, 0)))
+
+    def test_the_density_of_the_height_has_area_one_and_the_moments_of_a_wave(self):
+        spectra = spectra_data.read_spectra(FakeCase(self.folder, 0))
+        deviation, density, skewness, flatness = plot_interface_shape.density(spectra)
+        width = deviation[1] - deviation[0]
+        self.assertAlmostEqual(density.sum() * width, 1, places=6)
+        self.assertAlmostEqual((density * deviation**2).sum() * width, 1, delta=0.02)
+        self.assertAlmostEqual(skewness, 0)
+        self.assertAlmostEqual(flatness, 1.5)
+
+
+class SpaceTimeSpectra(unittest.TestCase):
+    def waves(self, noise=0.0):
+        """One wave downstream and one upstream, at moments that lie as a solver's do."""
+        random = np.random.default_rng(3)
+        time = np.cumsum(0.04 + 0.02 * random.random(4000))
+        amplitude = np.stack([0.3 * np.exp(-2.5j * time), 0.2 * np.exp(1.7j * time), 0 * time], axis=1)
+        return time, amplitude + noise * random.standard_normal(amplitude.shape)
+
+    def test_waves_stand_at_their_frequency_with_their_sign(self):
+        time, amplitude = self.waves(noise=0.01)
+        frequencies, E = wave_spectrum.space_time_spectrum(time, amplitude, 10, 20)
+        bin_width = 2 * np.pi / 20
+        for mode, exact in ((0, 2.5), (1, -1.7)):
+            self.assertLess(abs(frequencies[np.argmax(E[:, mode])] - exact), bin_width)
+
+    def test_the_integral_over_all_frequencies_is_the_mean_square(self):
+        time, amplitude = self.waves()
+        frequencies, E = wave_spectrum.space_time_spectrum(time, amplitude, 10, 20)
+        integral = E.sum(axis=0) * (frequencies[1] - frequencies[0])
+        self.assertLess(abs(integral / (0.3**2, 0.2**2, 1) - (1, 1, 0)).max(), 0.02)
+
+    def test_segments_cover_the_window_and_nothing_before_it(self):
+        time = np.arange(0, 100, 0.05)
+        parts = wave_spectrum.segments(time, 30, 20)
+        self.assertEqual([round(float(time[part[0]]), 2) for part in parts], [30, 40, 50, 60, 70])
+        self.assertIsNone(wave_spectrum.space_time_spectrum(time, np.zeros((2000, 1)), 90, 20))
+
+
+if __name__ == "__main__":
+    packages_or_skip.needed("h5py", "matplotlib")
+    import h5py
+    import numpy as np
+
+    import moments
+    import plot_interface_shape
+    import spectra_data
+    import wave_spectrum
+    unittest.main(argv=sys.argv[:1])
