@@ -7,6 +7,8 @@
 #include <map>
 #include <string_view>
 
+#include "campaign/commands/command_help.hpp"
+#include "campaign/commands/command_options.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/completion.hpp"
 #include "solver/case/bad_input.hpp"
@@ -44,66 +46,6 @@ struct Arguments {
 
 using CommandAction = std::function<ExitStatus(const Arguments&)>;
 
-/// What the help of a command opens with, by its name.
-const std::map<std::string, std::string>& examples() {
-  static const std::map<std::string, std::string> kExamples = {
-      {"init", "softwall init my-sweep"},
-      {"run",
-       "softwall run my-sweep\n"
-       "nohup softwall run my-sweep > my-sweep.log &    # goes on when the terminal is closed"},
-      {"resume", "softwall resume my-sweep"},
-      {"plan", "softwall plan my-sweep"},
-      {"status",
-       "softwall status my-sweep\n"
-       "softwall status my-sweep --watch"},
-      {"table",
-       "softwall table my-sweep\n"
-       "softwall table my-sweep --from 150    # averages from t = 150 on"},
-      {"query",
-       "softwall query my-sweep \"SELECT label, re_tau, re_tau_ci95 FROM results ORDER BY re_tau\"\n"
-       "softwall query my-sweep \"SELECT * FROM results WHERE G < 1\" --vertical"},
-      {"export", "softwall export my-sweep --csv -o results.csv"},
-      {"figures", "softwall figures my-sweep --format pdf -o paper/figures"},
-      {"report",
-       "softwall report my-sweep    # writes my-sweep/report.html\n"
-       "softwall report my-sweep --watch"},
-      {"verify",
-       "softwall verify my-sweep\n"
-       "softwall verify my-sweep G=0.5"},
-      {"clean",
-       "softwall clean my-sweep             # lists them\n"
-       "softwall clean my-sweep --remove"},
-      {"rebuild", "softwall rebuild my-sweep"},
-      {"completion",
-       "softwall completion bash > ~/.local/share/bash-completion/completions/softwall\n"
-       "softwall completion fish > ~/.config/fish/completions/softwall.fish"}};
-  return kExamples;
-}
-
-/// Puts the examples of a command behind its first line.
-class HelpWithExamples : public CLI::Formatter {
- public:
-  std::string make_description(const CLI::App* app) const override {
-    std::string text = CLI::Formatter::make_description(app);
-    const auto found = examples().find(app->get_name());
-    if (found == examples().end()) return text;
-    std::string lines = found->second;
-    for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos; at += 5)
-      lines.insert(at + 1, 4, ' ');
-    return text + "\nExamples:\n    " + lines + "\n\n";
-  }
-};
-
-/// Those of a command and of its groups, which CLI11 keeps as commands without a name.
-std::vector<const CLI::Option*> options_of(const CLI::App& command) {
-  std::vector<const CLI::Option*> options = command.get_options();
-  for (const CLI::App* group : command.get_subcommands([](const CLI::App*) { return true; })) {
-    const auto more = group->get_options();
-    options.insert(options.end(), more.begin(), more.end());
-  }
-  return options;
-}
-
 class CommandLine {
  public:
   CommandLine();
@@ -115,7 +57,7 @@ class CommandLine {
   void add_init();
   void add_completion();
   [[nodiscard]] std::vector<CommandWords> all_words() const;
-  void suggest_command(int count, char** words) const;
+  [[nodiscard]] std::vector<std::string> command_names() const;
   [[nodiscard]] bool asks_for_help(int count, char** words) const;
   void print_help(const std::string& command) const;
   [[nodiscard]] std::string suggest_option(int count, char** words) const;
@@ -129,7 +71,7 @@ CommandLine::CommandLine() {
   const BuildInfo build = build_info();
   app_.set_version_flag("--version", "softwall " + build.version + " (" + build.git_revision + ")");
   app_.require_subcommand(1);
-  app_.formatter(std::make_shared<HelpWithExamples>());
+  app_.formatter(help_with_examples());
   app_.footer(
       "PATH is a campaign file or its folder. Exit status: 0 all done, 1 error, 2 bad input,\n"
       "3 done with failed cases, 4 unfinished (resume), 5 another softwall runs the campaign.");
@@ -270,15 +212,11 @@ CLI::App* CommandLine::add(const std::string& name, const std::string& help, Com
   return command;
 }
 
-/// "softwall stauts": say which command was probably meant.
-void CommandLine::suggest_command(int count, char** words) const {
-  if (count < 2 || words[1][0] == '-') return;
+/// Of softwall, "help" among them.
+std::vector<std::string> CommandLine::command_names() const {
   std::vector<std::string> known{"help"};
   for (const auto& [command, action] : actions_) known.push_back(command->get_name());
-  if (std::ranges::find(known, words[1]) != known.end()) return;
-  const auto near = suggestion(words[1], known);
-  throw BadInput("softwall", {{"", "no command " + printable(words[1]),
-                               near ? "did you mean " + *near + "?" : "softwall --help lists all commands"}});
+  return known;
 }
 
 /// "softwall help" and "softwall help run"; "softwall help --help" is read like any other command.
@@ -301,19 +239,9 @@ void CommandLine::print_help(const std::string& command) const {
                  {{"", "no command " + printable(command), "softwall help lists all commands"}});
 }
 
-/// "softwall plan --jsno DIR": the option that was probably meant.
 std::string CommandLine::suggest_option(int count, char** words) const {
   const CLI::App* command = app_.get_subcommands().empty() ? &app_ : app_.get_subcommands().front();
-  std::vector<std::string> known;
-  for (const CLI::Option* option : options_of(*command)) {
-    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-  }
-  for (int i = 1; i < count; ++i) {
-    const std::string word = words[i];
-    if (!word.starts_with("--") || std::ranges::find(known, word) != known.end()) continue;
-    if (const auto near = suggestion(word, known)) return "Did you mean " + *near + "?";
-  }
-  return "";
+  return option_probably_meant({words, words + count}, *command);
 }
 
 ExitStatus CommandLine::run(int count, char** words) {
@@ -321,7 +249,7 @@ ExitStatus CommandLine::run(int count, char** words) {
     std::cerr << app_.help();
     return ExitStatus::kBadInput;
   }
-  suggest_command(count, words);
+  if (words[1][0] != '-') refuse_unknown_command(words[1], command_names());
   if (asks_for_help(count, words)) {
     print_help(count == 2 ? "" : words[2]);
     return ExitStatus::kDone;
