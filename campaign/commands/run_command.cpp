@@ -14,6 +14,7 @@
 #include "campaign/store/text_width.hpp"
 #include "campaign/system/shell_words.hpp"
 #include "campaign/tables/closing_table.hpp"
+#include "solver/case/bad_input.hpp"
 #include "solver/run_directory/run_files.hpp"
 
 namespace softwall::campaign {
@@ -114,11 +115,14 @@ ExitStatus run_with_store(const LoadedCampaign& loaded, const RunOptions& option
 ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& options) {
   const LoadedCampaign loaded = load_campaign(path);
   require_writable(loaded.folder);
-  const CampaignLock lock(loaded.folder);
+  CampaignLock lock(loaded.folder);
   sweep_unfinished_stores(loaded.folder);
   std::string damage;
   try {
     return run_with_store(loaded, options, damage);
+  } catch (const BadInput&) {
+    lock.leave_no_trace();
+    throw;
   } catch (const SqliteError& error) {
     if (!error.is_damage()) throw;
     damage = error.what();

@@ -12,8 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/system/own_file.hpp"
 #include "campaign/system/process_identity.hpp"
-#include "solver/case/bad_input.hpp"
 #include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
@@ -48,25 +48,13 @@ void write_owner(int file) {
   if (ftruncate(file, 0) == 0 && pwrite(file, text.data(), text.size(), 0) > 0) fsync(file);
 }
 
-/// Only a file of this name that is none of somebody else's: what is written into it must not end up behind a
-/// link.
 FileDescriptor open_lock_file(const std::filesystem::path& file) {
-  // O_CLOEXEC: a surviving solver must not keep the lock of a dead runner. O_NONBLOCK: a pipe must not stop
-  // us.
-  FileDescriptor opened(
-      open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, S_IRUSR | S_IWUSR));
-  const int error = errno;
-  struct stat status {};
-  if (error == ELOOP || (opened && (fstat(opened.get(), &status) != 0 || !S_ISREG(status.st_mode)))) {
-    throw BadInput(file.string(),
-                   {{"", "a symbolic link or a device", "a file that softwall has made: remove it"}});
-  }
-  if (!opened) {
-    throw std::runtime_error("cannot write in the campaign folder " + file.parent_path().string() + ": " +
-                             std::strerror(error));
-  }
+  // It is closed on exec: a surviving solver must not keep the lock of a dead runner.
+  FileDescriptor opened = open_own_file(file, O_RDWR, S_IRUSR | S_IWUSR);
   // Whoever can open it can lock it. It may be from a time when all could.
-  if (status.st_uid == geteuid()) fchmod(opened.get(), S_IRUSR | S_IWUSR);
+  struct stat status {};
+  if (fstat(opened.get(), &status) == 0 && status.st_uid == geteuid())
+    fchmod(opened.get(), S_IRUSR | S_IWUSR);
   return opened;
 }
 
@@ -82,22 +70,39 @@ bool lock_for_good(int file) {
   return false;
 }
 
+/// Who waited for a lock may have got that of a file which its holder has removed meanwhile.
+bool is_the_file_named(const std::filesystem::path& path, int file) {
+  struct stat named {
+  }, held{};
+  return stat(path.c_str(), &named) == 0 && fstat(file, &held) == 0 && named.st_dev == held.st_dev &&
+         named.st_ino == held.st_ino;
+}
+
 }  // namespace
 
-CampaignLock::CampaignLock(const std::filesystem::path& folder) {
-  file_ = open_lock_file(lock_file(folder));
-  if (lock_for_good(file_.get())) {
+CampaignLock::CampaignLock(const std::filesystem::path& folder) : path_(lock_file(folder)) {
+  std::error_code unknown;
+  made_ = !std::filesystem::exists(std::filesystem::symlink_status(path_, unknown));
+  do {
+    file_ = open_lock_file(path_);
+    if (!lock_for_good(file_.get())) break;
+    if (!is_the_file_named(path_, file_.get())) continue;
     write_owner(file_.get());
     return;
-  }
+  } while (true);
   const int error = errno;
   const auto owner = read_owner(file_.get());
   if (error != EWOULDBLOCK) {
-    throw std::runtime_error("cannot lock " + lock_file(folder).string() + ": " + std::strerror(error));
+    throw std::runtime_error("cannot lock " + path_.string() + ": " + std::strerror(error));
   }
   throw CampaignOwned("this campaign is already being run by " +
                       (owner ? owner->describe() : std::string("another softwall")) +
                       "; nothing was changed");
+}
+
+void CampaignLock::leave_no_trace() {
+  std::error_code stays;  // does no harm
+  if (made_ && is_the_file_named(path_, file_.get())) std::filesystem::remove(path_, stays);
 }
 
 std::optional<std::string> living_owner(const std::filesystem::path& folder) {

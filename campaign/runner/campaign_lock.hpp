@@ -22,8 +22,13 @@ class CampaignLock {
   /// than a file, std::runtime_error when the folder cannot be written.
   explicit CampaignLock(const std::filesystem::path& folder);
 
+  /// What was asked for is refused and nothing has been done: the file goes, if this lock has made it.
+  void leave_no_trace();
+
  private:
+  std::filesystem::path path_;
   FileDescriptor file_;
+  bool made_ = false;  ///< it was not there before
 };
 
 /// "softwall on HOST, process N, started ..." while a runner works on the campaign in folder. The lock is

@@ -1,12 +1,17 @@
 #include "campaign/runner/progress.hpp"
 
+#include <fcntl.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <system_error>
 
 #include "campaign/store/text_width.hpp"
 #include "campaign/system/clock.hpp"
+#include "campaign/system/own_file.hpp"
 #include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
@@ -46,11 +51,31 @@ bool wants_colours(bool terminal) {
          std::string(kind) != "dumb";
 }
 
+/// A campaign on a disk without room for a log runs without one.
+FileDescriptor opened_if_possible(const std::filesystem::path& log) {
+  constexpr mode_t kForAllToRead = S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH;
+  try {
+    return open_own_file(log, O_WRONLY | O_APPEND, kForAllToRead);
+  } catch (const std::system_error&) {
+    return FileDescriptor();
+  }
+}
+
+void append(int file, const std::string& text) {
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t written = write(file, text.data() + done, text.size() - done);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return;
+    done += static_cast<std::size_t>(written);
+  }
+}
+
 }  // namespace
 
 Progress::Progress(const std::filesystem::path& log)
     : terminal_(isatty(STDERR_FILENO) == 1), colours_(wants_colours(terminal_)) {
-  if (!log.empty()) log_.open(log, std::ios::app);
+  if (!log.empty()) log_ = opened_if_possible(log);
 }
 
 Progress::~Progress() { erase(); }
@@ -62,7 +87,7 @@ void Progress::event(const std::string& what, Kind kind) {
   std::fprintf(stderr, "%s  %s%s%s\n", local_time_of_day().c_str(), colour, text.c_str(),
                *colour != '\0' ? "\033[0m" : "");
   std::fflush(stderr);
-  if (log_) log_ << utc_now() << "  " << text << std::endl;
+  if (log_) append(log_.get(), utc_now() + "  " + text + "\n");
   if (!line_.empty()) draw(line_);
 }
 

@@ -2,8 +2,9 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
+
+#include "solver/case/file_descriptor.hpp"
 
 namespace softwall::campaign {
 
@@ -13,7 +14,8 @@ class Progress {
  public:
   enum class Kind { kPlain, kGood, kBad };
 
-  /// log may be empty: then none is kept.
+  /// log may be empty: then none is kept, nor where it cannot be opened. Throws BadInput when its name stands
+  /// for something else than a file.
   explicit Progress(const std::filesystem::path& log);
   ~Progress();
   Progress(const Progress&) = delete;
@@ -27,7 +29,7 @@ class Progress {
  private:
   void erase();
 
-  std::ofstream log_;
+  FileDescriptor log_;
   bool terminal_ = false;
   bool colours_ = false;
   bool drawn_ = false;

@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 #include <sys/file.h>
 
+#include <chrono>
 #include <fstream>
+#include <memory>
+#include <optional>
+#include <thread>
 
 #include <nlohmann/json.hpp>
 
@@ -96,6 +100,38 @@ TEST(CampaignLock, IsForThisUserOnlyAndNoLink) {
   std::filesystem::create_symlink(target, folder.path() / "campaign.lock");
   EXPECT_THROW(CampaignLock{folder.path()}, BadInput);
   EXPECT_EQ(std::filesystem::file_size(target), 4U);
+}
+
+TEST(CampaignLock, OfWhatWasRefusedLeavesNoTrace) {
+  const test::TemporaryFolder folder;
+  {
+    CampaignLock lock(folder.path());
+    lock.leave_no_trace();
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  }
+  folder.write("campaign.lock", "of an earlier run");
+  CampaignLock lock(folder.path());
+  lock.leave_no_trace();
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "campaign.lock")) << "it was there before";
+}
+
+/// Two who wait for the same lock must not come to hold two files of one name.
+TEST(CampaignLock, WhoWaitedForARemovedFileTakesTheOneThatIsThere) {
+  const test::TemporaryFolder folder;
+  auto first = std::make_unique<CampaignLock>(folder.path());
+  std::thread waiting([&] {
+    std::optional<CampaignLock> second;
+    while (!second) try {
+        second.emplace(folder.path());
+      } catch (const CampaignOwned&) {  // on a busy machine the first may hold it for long
+      }
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "campaign.lock"));
+    EXPECT_THROW(CampaignLock{folder.path()}, CampaignOwned);
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  first->leave_no_trace();
+  first.reset();
+  waiting.join();
 }
 
 TEST(CampaignLock, DiesWithItsHolder) {
