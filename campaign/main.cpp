@@ -22,6 +22,7 @@ namespace {
 /// Says what to do about a store that cannot be used. Only a damaged one is to be made again: on a full disk,
 /// or while another program holds it, that would take away what is still good.
 std::string advice_for(const SqliteError& error) {
+  if (error.is_damage()) return "A damaged results store can be made again:  softwall rebuild PATH\n";
   switch (error.primary_code()) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
@@ -29,9 +30,6 @@ std::string advice_for(const SqliteError& error) {
              "again.\n";
     case SQLITE_FULL:
       return "Make room on the disk, then run the same command again.\n";
-    case SQLITE_CORRUPT:
-    case SQLITE_NOTADB:
-      return "A damaged results store can be made again:  softwall rebuild PATH\n";
     default:
       return "";
   }

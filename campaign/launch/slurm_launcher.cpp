@@ -84,9 +84,6 @@ std::optional<Verdict> verdict_on(const QueuedJob& job) {
   return Verdict{AttemptOutcome::kFailed, name + " ended as " + state};
 }
 
-/// "3 ranks"
-std::string ranks_text(int ranks) { return counted(ranks, "rank"); }
-
 }  // namespace
 
 SlurmLauncher::SlurmLauncher(SlurmOptions options, SlurmPace pace)
@@ -106,7 +103,7 @@ void SlurmLauncher::prepare(const std::filesystem::path& solver, int ranks) {
   const Answer answer = ask_slurm("sbatch", arguments, pace_.answer);
   if (answer.exit_code == 0 || may_pass(answer)) return;
   throw BadInput("sbatch",
-                 {{"", "Slurm refuses a job of " + ranks_text(ranks), trouble_in(answer, "sbatch")}});
+                 {{"", "Slurm refuses a job of " + counted(ranks, "rank"), trouble_in(answer, "sbatch")}});
 }
 
 Handle SlurmLauncher::intended(const LaunchRequest& request) const {

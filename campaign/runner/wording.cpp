@@ -11,8 +11,6 @@
 namespace softwall::campaign {
 namespace {
 
-std::string ranks_text(int ranks) { return counted(ranks, "rank"); }
-
 std::string place(double time, std::int64_t step) {
   return "t = " + short_number(time) + " (step " + std::to_string(step) + ")";
 }
@@ -27,7 +25,8 @@ std::string short_number(double value) {
 
 std::string describe_start(const CampaignCase& one, int ranks, const Ladder& ladder, bool queued) {
   const std::string& label = one.definition.label;
-  const std::string goal = " to t = " + short_number(one.definition.run.end_time) + ", " + ranks_text(ranks);
+  const std::string goal =
+      " to t = " + short_number(one.definition.run.end_time) + ", " + counted(ranks, "rank");
   const std::string begin = queued ? ": submitted" : ": started";
   if (!ladder.newest) return label + begin + goal;
   return label + (queued ? ": submitted, from " : ": resumed from ") +
@@ -88,7 +87,7 @@ std::string describe_progress(const Campaign& campaign, const std::vector<Observ
     return seen.running && seen.presence == Presence::kQueued;
   });
   if (queued > 0) line += " | " + std::to_string(queued) + " queued";
-  return line + " | about " + describe_duration(seconds_left) + " left";
+  return line + " | " + describe_about(seconds_left) + " left";
 }
 
 }  // namespace softwall::campaign

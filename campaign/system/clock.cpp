@@ -8,6 +8,7 @@
 namespace softwall::campaign {
 namespace {
 
+constexpr const char* kUnknown = "unknown";
 constexpr double kLongestSeconds = 1000 * 365.25 * 86400;
 
 }  // namespace
@@ -27,7 +28,7 @@ double monotonic_seconds() {
 }
 
 std::string describe_duration(double seconds) {
-  if (!std::isfinite(seconds) || seconds < 0) return "unknown";
+  if (!std::isfinite(seconds) || seconds < 0) return kUnknown;
   if (seconds > kLongestSeconds) return "more than 1000 years";
   const auto total = static_cast<long long>(std::llround(seconds));
   if (total < 60) return std::to_string(total) + " s";
@@ -36,6 +37,13 @@ std::string describe_duration(double seconds) {
   const long long hours = minutes / 60;
   if (hours < 48) return std::to_string(hours) + " h " + std::to_string(minutes % 60) + " min";
   return std::to_string(hours / 24) + " d " + std::to_string(hours % 24) + " h";
+}
+
+std::string describe_about(double seconds) {
+  const std::string duration = describe_duration(seconds);
+  if (duration == kUnknown) return "an unknown time";
+  const bool is_number = duration.front() >= '0' && duration.front() <= '9';
+  return is_number ? "about " + duration : duration;
 }
 
 }  // namespace softwall::campaign

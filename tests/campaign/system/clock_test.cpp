@@ -21,5 +21,11 @@ TEST(Duration, OfAnyNumberIsSaid) {
   EXPECT_EQ(describe_duration(-1), "unknown");
 }
 
+TEST(Duration, OfAnEstimateIsNotSaidTwice) {
+  EXPECT_EQ(describe_about(600), "about 10 min");
+  EXPECT_EQ(describe_about(1e20), "more than 1000 years");
+  EXPECT_EQ(describe_about(-1), "an unknown time");
+}
+
 }  // namespace
 }  // namespace softwall::campaign
