@@ -85,12 +85,13 @@ void Runner::end_if_stalled(const CampaignCase& one, AttemptWatch& watch, double
   watch.stalled = true;
 }
 
-/// Asks what has stalled, or need not go on, to end.
+/// Asks what has stalled, or need not go on, to end. Nothing stalls once a person has asked all to end: an
+/// attempt that writes a checkpoint makes no step, and pass_on_stop() asks more firmly in its own time.
 void Runner::end_what_is_over() {
   const double now = monotonic_seconds();
   for (auto& [id, watch] : working_) {
     const CampaignCase& one = book_.find(id);
-    if (!watch.end) end_if_stalled(one, watch, now);
+    if (!watch.end && signals_.stop_requests() == 0) end_if_stalled(one, watch, now);
     if (!watch.end) continue;
     if (const auto level = watch.end->due(now)) ask_to_end(id, watch, *level);
   }

@@ -291,6 +291,38 @@ class HangingLauncher final : public test::LauncherWithoutMemory {
   std::vector<EndedAttempt> ended_;
 };
 
+/// Whoever writes a checkpoint makes no step; a large case may take long for it.
+TEST_F(RunnerTest, AStopThatTakesLongerThanAStepMayIsNoStall) {
+  class SlowToStop final : public test::LauncherWithoutMemory {
+   public:
+    Handle start(const LaunchRequest& request) override {
+      raise(SIGTERM);  // taken by the runner's next look at its signals
+      running_ = request.case_id;
+      return request.case_id;
+    }
+    std::vector<EndedAttempt> collect() override {
+      if (asked_ < 2) return {};  // it has been asked more firmly
+      asked_ = 0;
+      return {{std::exchange(running_, ""), 128 + SIGTERM}};
+    }
+    void stop(const std::filesystem::path&, const Handle&, StopLevel) override { ++asked_; }
+    [[nodiscard]] bool idle() const override { return running_.empty(); }
+
+   private:
+    std::string running_;
+    int asked_ = 0;
+  } launcher;
+  campaign_.cases.resize(1);
+  RunnerOptions options;
+  options.stall_seconds = 0.005;
+  options.grace = {0.1, 0.1};
+  const RunnerReport report = run(launcher, options);
+  EXPECT_TRUE(report.stopped);
+  Store after = store();
+  EXPECT_EQ(tests::answer(after, "SELECT outcome || ': ' || reason FROM attempts"),
+            "interrupted: stopped on request before it had written a checkpoint");
+}
+
 TEST_F(RunnerTest, AHangingAttemptIsEndedMoreAndMoreFirmlyAndCountedAsStalled) {
   HangingLauncher launcher;
   RunnerOptions options;
