@@ -1,4 +1,4 @@
--- The results store of a campaign, format 4: <campaign directory>/results.db.
+-- The results store of a campaign, format 5: <campaign directory>/results.db.
 --
 -- Written by `softwall` only; read it with `softwall query DIR "SQL"` or with sqlite3. Start with the view
 -- `results`. application_id and user_version are set by campaign/store/store_schema.cpp in the transaction that runs
@@ -23,7 +23,7 @@ CREATE TABLE cases (
   case_id          TEXT PRIMARY KEY NOT NULL,   -- [-] hash of the physical parameters, 16 hexadecimal digits
   label            TEXT NOT NULL,               -- [-] for people; never identity
   directory        TEXT NOT NULL,               -- [-] run directory, relative to the campaign directory
-  is_precursor     INTEGER NOT NULL CHECK (is_precursor IN (0, 1)), -- [-] 1: its last checkpoint starts the others
+  is_precursor     INTEGER NOT NULL CHECK (is_precursor IN (0, 1)), -- [-] 1: a rigid channel whose last checkpoint starts the others
   precursor_id     TEXT,                        -- [-] case_id of the case that this one starts from
   flow             TEXT NOT NULL,               -- [-] rigid_channel, elastic_wall, cavity, rotation, interface_wave
   G                REAL,                        -- [rho U_b^2] modulus of transverse elasticity; NULL without a solid
@@ -209,6 +209,29 @@ ORDER BY c.is_precursor DESC, c.viscosity_ratio = 1 DESC, c.viscosity_ratio, c.G
 
 -- The result of the campaign: the rows of results_all that are part of the campaign as it is now.
 CREATE VIEW results AS SELECT * FROM results_all WHERE in_campaign = 1;
+
+-- Where the initial state of each case is from, and the line of cases that led to it.
+CREATE VIEW started_from (
+  label,              -- [-] of the case
+  start,              -- [-] perturbed_laminar: by itself; precursor: the flow of a rigid channel, under a flat layer at rest; neighbour: flow and deformed layer of another case
+  from_label,         -- [-] of the case whose last checkpoint it started from; NULL: by itself
+  from_time,          -- [h/U_b] time which that case had reached; NULL: by itself
+  generation,         -- [-] cases before it in its line
+  line,               -- [-] their labels and its own, from the first on
+  case_id,            -- [-] the case
+  from_case_id        -- [-] the case that it started from; NULL: by itself
+) AS
+WITH RECURSIVE lines (case_id, generation, line) AS (
+  SELECT case_id, 0, label FROM cases
+  WHERE precursor_id IS NULL OR precursor_id NOT IN (SELECT case_id FROM cases)
+  UNION ALL
+  SELECT c.case_id, l.generation + 1, l.line || ' > ' || c.label
+  FROM cases c JOIN lines l ON c.precursor_id = l.case_id)
+SELECT c.label, c.physics ->> '$.initial.type', f.label,
+  iif(c.precursor_id IS NULL, NULL, c.physics ->> '$.initial.precursor_time'), l.generation, l.line, c.case_id,
+  c.precursor_id
+FROM cases c JOIN lines l USING (case_id) LEFT JOIN cases f ON f.case_id = c.precursor_id
+ORDER BY l.generation, c.rowid;
 
 -- Every launch, in the order of the decisions, with the case's label.
 CREATE VIEW attempt_history (

@@ -11,6 +11,7 @@
 #include "solver/output/agree.hpp"
 #include "solver/output/checkpoint_reader.hpp"
 #include "solver/output/checkpoint_writer.hpp"
+#include "solver/output/neighbour.hpp"
 #include "solver/output/profile_table.hpp"
 #include "solver/output/progress_line.hpp"
 #include "solver/output/regrid.hpp"
@@ -60,10 +61,13 @@ void Simulation::start_or_resume() {
   for (const auto& reason : checkpoints_.refused()) say("passing over " + reason);
   if (found) return resume(*found);
   const auto& initial = case_.physics.initial;
+  const auto file = (options_.files.directory / case_.run.initial_checkpoint).lexically_normal();
   if (initial.type == InitialType::kPrecursor) {
-    const auto file = (options_.files.directory / case_.run.initial_checkpoint).lexically_normal();
     state_ = output::start_from_precursor(file, initial, setup_);
     say("starts from the precursor's " + file.string());
+  } else if (initial.type == InitialType::kNeighbour) {
+    state_ = output::start_from_neighbour(file, initial, setup_);
+    say("starts from its neighbour's " + file.string());
   } else if (is_closed_box(case_.physics.flow)) {
     state_ = time::closed_box_at_start(setup_);
     say(setup_.velocity_prescribed ? "starts in rotation" : "starts from rest");

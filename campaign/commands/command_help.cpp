@@ -18,6 +18,7 @@ const std::map<std::string, std::string>& examples() {
       {"plan", "softwall plan my-sweep"},
       {"status",
        "softwall status my-sweep\n"
+       "softwall status my-sweep --why       # what each case waits for\n"
        "softwall status my-sweep --watch"},
       {"table",
        "softwall table my-sweep\n"

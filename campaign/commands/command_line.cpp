@@ -27,7 +27,7 @@ struct Arguments {
   std::filesystem::path path, file;
   std::string sql, chosen;
   bool json = false, csv = false, latex = false, vertical = false, watch = false, remove = false,
-       no_caption = false;
+       no_caption = false, why = false;
   std::string picture = "png", shell;
   std::optional<double> from;
   RunOptions run;
@@ -95,13 +95,15 @@ CommandLine::CommandLine() {
                        [](const Arguments& given) { return show_plan(given.path, given.json); });
   plan->add_flag("--json", arguments_.json, "Print one JSON value");
   CLI::App* status = add("status", "Show how far the cases are", [](const Arguments& given) {
-    return given.watch ? watch_status(given.path) : show_status(given.path, given.json);
+    const StatusWish wish{given.json, given.why};
+    return given.watch ? watch_status(given.path, wish) : show_status(given.path, wish);
   });
   CLI::Option* json = status->add_flag("--json", arguments_.json, "Print one JSON value");
   status
       ->add_flag("--watch", arguments_.watch,
                  "Again every two seconds, as much as the window holds, until the run ends; waits for one")
       ->excludes(json);
+  status->add_flag("--why", arguments_.why, "Say what would become of each case now, and for what reason");
   add_results_commands();
   CLI::App* verify =
       add("verify", "Read all checkpoints and records in full; change nothing", [](const Arguments& given) {

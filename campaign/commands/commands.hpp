@@ -22,10 +22,15 @@ struct RunOptions {
 [[nodiscard]] ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& options);
 
 [[nodiscard]] ExitStatus show_plan(const std::filesystem::path& path, bool json);
-[[nodiscard]] ExitStatus show_status(const std::filesystem::path& path, bool json);
+
+struct StatusWish {
+  bool json = false;
+  bool why = false;  ///< also what would become of each case now, and for what reason
+};
+[[nodiscard]] ExitStatus show_status(const std::filesystem::path& path, const StatusWish& wish);
 /// Again every two seconds, as many cases as the terminal has lines for, until the run that it saw has ended
 /// or nothing is left to run; started before a run, it waits for one.
-[[nodiscard]] ExitStatus watch_status(const std::filesystem::path& path);
+[[nodiscard]] ExitStatus watch_status(const std::filesystem::path& path, const StatusWish& wish);
 
 /// Chooses results: those of the campaign at this path, as the store has them or with averages that begin
 /// elsewhere.

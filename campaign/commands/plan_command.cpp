@@ -67,6 +67,7 @@ void print_json(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
     cases.push_back({{"label", one->definition.label},
                      {"case_id", one->definition.id},
                      {"directory", one->directory},
+                     {"starts_from", one->precursor_id},
                      {"outlook", to_string(decision.outlook)},
                      {"reason", decision.reason},
                      {"ranks", one->ranks},
@@ -102,7 +103,7 @@ void print_json(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
 /// "On 2 cores of this machine: about 3 min; memory 1 GB of 8 GB"
 std::string where_and_how_long(const Execution& execution, const PlannedCampaign& planned) {
   const int cores = execution.cores;
-  const std::string time = ": about " + describe_duration(planned.wall_seconds);
+  const std::string time = ": " + describe_about(planned.wall_seconds);
   const std::string those = counted(cores, "core");
   if (planned.ready.machine_memory_bytes > 0)
     return "On " + those + " of this machine" + time + "; memory " + gigabytes(planned.ready.memory_bytes) +
@@ -130,6 +131,9 @@ void print_text(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
             << where_and_how_long(loaded.campaign.execution, planned) << "; disk for checkpoints "
             << gigabytes(planned.ready.disk_bytes) << ", free " << gigabytes(planned.ready.disk_free_bytes)
             << ".\n";
+  if (loaded.campaign.start_from)
+    std::cout << "Cases start one from the other, from the " << words_of(*loaded.campaign.start_from)
+              << " on: those of a line run one after the other.\n";
   if (!loaded.campaign.until.empty())
     std::cout << "A case ends before its end time once it has " << describe(loaded.campaign.until)
               << "; this is what it takes otherwise.\n";

@@ -14,6 +14,7 @@
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/core/eta.hpp"
+#include "campaign/core/plan.hpp"
 #include "campaign/core/words.hpp"
 #include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/observe.hpp"
@@ -67,7 +68,16 @@ std::string state_words(const Observation& seen) {
   return std::string(started ? word_of(seen.presence) : word_of(seen.state));
 }
 
-void print_json(const LoadedCampaign& loaded, const Snapshot& now) {
+/// What would become of each case now, and why: "waiting: for G=2".
+std::vector<std::string> reasons(const LoadedCampaign& loaded, const Snapshot& now) {
+  std::vector<std::string> told;
+  for (const Decision& decision : decide(loaded.campaign, now.observations))
+    told.push_back(to_string(decision.outlook) + ": " + decision.reason);
+  return told;
+}
+
+void print_json(const LoadedCampaign& loaded, const Snapshot& now, bool why) {
+  const auto told = why ? reasons(loaded, now) : std::vector<std::string>();
   nlohmann::ordered_json cases = nlohmann::json::array();
   for (std::size_t i = 0; i < now.observations.size(); ++i) {
     const CampaignCase& one = loaded.campaign.cases[i];
@@ -83,6 +93,7 @@ void print_json(const LoadedCampaign& loaded, const Snapshot& now) {
                      {"step", step},
                      {"attempts", seen.attempts},
                      {"seconds_per_step", seen.seconds_per_step}});
+    if (why) cases.back()["why"] = told[i];
   }
   const nlohmann::ordered_json status = {
       {"campaign", loaded.campaign.name},
@@ -121,18 +132,27 @@ std::vector<std::size_t> chosen_cases(const std::vector<Observation>& observatio
   return chosen;
 }
 
-void print_text(const LoadedCampaign& loaded, const Snapshot& now,
-                std::size_t most = std::numeric_limits<std::size_t>::max()) {
-  ResultTable table{{"case", "state", "t", "of", "%", "step", "attempts", "remark"}, {}};
-  const auto chosen = chosen_cases(now.observations, most);
+/// What a person sees of the cases.
+struct TextLayout {
+  bool why = false;  ///< what would become of each, in place of how its last attempt ended
+  std::size_t most = std::numeric_limits<std::size_t>::max();  ///< cases
+};
+
+std::string remark_on(const Observation& seen) {
+  return seen.state == CaseState::kFinished && !seen.early ? std::string() : seen.reason;
+}
+
+void print_text(const LoadedCampaign& loaded, const Snapshot& now, const TextLayout& layout) {
+  ResultTable table{{"case", "state", "t", "of", "%", "step", "attempts", layout.why ? "why" : "remark"}, {}};
+  const auto told = layout.why ? reasons(loaded, now) : std::vector<std::string>();
+  const auto chosen = chosen_cases(now.observations, layout.most);
   for (const std::size_t i : chosen) {
     const Observation& seen = now.observations[i];
     const auto [time, step] = reached(now, seen);
     table.rows.push_back({loaded.campaign.cases[i].definition.label, state_words(seen), short_number(time),
                           short_number(seen.end_time),
                           static_cast<std::int64_t>(percent_done(time, seen.end_time)), step,
-                          std::int64_t{seen.attempts},
-                          seen.state == CaseState::kFinished && !seen.early ? std::string() : seen.reason});
+                          std::int64_t{seen.attempts}, layout.why ? told[i] : remark_on(seen)});
   }
   write_table(std::cout, table, TableFormat::kText);
   if (const std::size_t more = now.observations.size() - chosen.size(); more > 0)
@@ -157,21 +177,23 @@ std::size_t cases_on_terminal() {
 
 }  // namespace
 
-ExitStatus show_status(const std::filesystem::path& path, bool json) {
+ExitStatus show_status(const std::filesystem::path& path, const StatusWish& wish) {
   const LoadedCampaign loaded = load_campaign(path);
   const Snapshot now = look(loaded);
-  json ? print_json(loaded, now) : print_text(loaded, now);
+  wish.json ? print_json(loaded, now, wish.why) : print_text(loaded, now, {.why = wish.why});
   return ExitStatus::kDone;
 }
 
-ExitStatus watch_status(const std::filesystem::path& path) {
+ExitStatus watch_status(const std::filesystem::path& path, const StatusWish& wish) {
   const LoadedCampaign loaded = load_campaign(path);
   const bool terminal = isatty(STDOUT_FILENO) == 1;
   bool seen_running = false;
   while (true) {
     const Snapshot now = look(loaded);
     if (terminal) std::cout << "\033[H\033[2J";
-    print_text(loaded, now, terminal ? cases_on_terminal() : std::numeric_limits<std::size_t>::max());
+    TextLayout layout{.why = wish.why};
+    if (terminal) layout.most = cases_on_terminal();
+    print_text(loaded, now, layout);
     const bool over = !now.owner && (seen_running || now.seconds_left <= 0);
     if (over || !std::cout) return ExitStatus::kDone;
     if (!now.owner) std::cout << "Waiting for a run to begin; Ctrl-C ends the waiting." << std::endl;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "campaign/core/attempt.hpp"
+#include "campaign/core/start_order.hpp"
 #include "campaign/core/until.hpp"
 #include "solver/case/case.hpp"
 
@@ -40,7 +41,8 @@ struct CampaignCase {
   Case definition;
   std::string directory;  ///< "cases/<label>-<first 8 of id>", relative to the campaign's folder
   bool is_precursor = false;
-  std::string precursor_id;  ///< case whose last checkpoint starts this one; empty: starts by itself
+  std::string precursor_id;    ///< case whose last checkpoint starts this one; empty: starts by itself
+  bool starts_others = false;  ///< other cases of the campaign start from its last checkpoint
   int ranks = 1;
   std::string varied = "{}";  ///< what differs among the cases of its kind, with its own values, JSON
   double window_start = 0.0;  ///< its averages begin with the first block that starts at or after this, h/U_b
@@ -50,8 +52,9 @@ struct CampaignCase {
 struct Campaign {
   std::string name;
   std::string description;
-  std::vector<CampaignCase> cases;    ///< precursors first
-  std::vector<IntervalTarget> until;  ///< of all cases but precursors
+  std::vector<CampaignCase> cases;      ///< precursors first
+  std::vector<IntervalTarget> until;    ///< of all cases but precursors
+  std::optional<StartFrom> start_from;  ///< cases of the sweep start from others of it
   Execution execution;
   std::string spec_text;  ///< the campaign file as it was read
 };

@@ -1,6 +1,7 @@
 #include "campaign/core/eta.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "campaign/core/estimate.hpp"
 
@@ -43,7 +44,8 @@ double remaining_seconds(const Campaign& campaign, const std::vector<Observation
                          const std::map<std::string, Status>& working, int cores) {
   const MeasuredSpeed speed(campaign, observations);
   double before = 0;   // precursors: everything else waits for them
-  double longest = 0;  // no case can be split
+  double longest = 0;  // no case can be split, nor begin before the one that it starts from has ended
+  std::unordered_map<std::string, double> ends;  // of those that are no precursors, by case id
   double core_seconds = 0;
   for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
     const CampaignCase& one = campaign.cases[i];
@@ -59,7 +61,10 @@ double remaining_seconds(const Campaign& campaign, const std::vector<Observation
     if (one.is_precursor) {
       before = std::max(before, seconds);
     } else {
-      longest = std::max(longest, seconds);
+      const auto start = ends.find(one.precursor_id);
+      const double end = seconds + (start == ends.end() ? 0 : start->second);
+      ends.emplace(one.definition.id, end);
+      longest = std::max(longest, end);
       core_seconds += seconds * one.ranks;
     }
   }

@@ -15,7 +15,21 @@ class Planner {
     for (const auto& c : campaign.cases) cases_[c.definition.id] = &c;
   }
 
-  [[nodiscard]] Decision decide(const CampaignCase& c) const {
+  [[nodiscard]] std::filesystem::path initial_checkpoint(const CampaignCase& c) const {
+    if (c.precursor_id.empty()) return {};
+    return observation(c.precursor_id).newest_checkpoint.value_or(std::filesystem::path());
+  }
+
+  /// Of the case that it starts from first, so that nobody's is decided twice.
+  [[nodiscard]] const Decision& decide(const CampaignCase& c) {
+    const auto known = decisions_.find(c.definition.id);
+    if (known != decisions_.end()) return known->second;
+    Decision made = decide_anew(c);
+    return decisions_.emplace(c.definition.id, std::move(made)).first->second;
+  }
+
+ private:
+  [[nodiscard]] Decision decide_anew(const CampaignCase& c) {
     const Observation& seen = observation(c.definition.id);
     if (seen.running || seen.state == CaseState::kRunning)
       return made(c, Outlook::kRunning, why_running(seen.presence));
@@ -23,16 +37,10 @@ class Planner {
     if (const std::string why = why_blocked(c, seen); !why.empty()) return made(c, Outlook::kBlocked, why);
     if (seen.newest_checkpoint)
       return made(c, Outlook::kResume, "from step " + std::to_string(seen.step) + after(seen));
-    if (!c.precursor_id.empty()) return decide_by_precursor(c, seen);
+    if (!c.precursor_id.empty()) return decide_by_start(c, seen);
     return made(c, Outlook::kStart, start_reason(seen));
   }
 
-  [[nodiscard]] std::filesystem::path initial_checkpoint(const CampaignCase& c) const {
-    if (c.precursor_id.empty()) return {};
-    return observation(c.precursor_id).newest_checkpoint.value_or(std::filesystem::path());
-  }
-
- private:
   static std::string why_running(Presence presence) {
     if (presence == Presence::kQueued) return "its job waits in the queue";
     if (presence == Presence::kUnknown) return "its job may be at work, nobody can say at the moment";
@@ -49,6 +57,11 @@ class Planner {
 
   static std::string start_reason(const Observation& seen) {
     return seen.attempts == 0 ? "new" : "again from the start, no checkpoint yet" + after(seen);
+  }
+
+  /// Everybody knows what a precursor is there for; of a line of cases it is told.
+  static std::string start_reason(const CampaignCase& first, const Observation& seen) {
+    return start_reason(seen) + (first.is_precursor ? "" : ", from the end of " + first.definition.label);
   }
 
   [[nodiscard]] const Observation& observation(const std::string& case_id) const {
@@ -79,34 +92,47 @@ class Planner {
     return "";
   }
 
-  [[nodiscard]] Decision decide_by_precursor(const CampaignCase& c, const Observation& seen) const {
+  /// Of a case that starts from another. The campaign has that one before it, so that there is no circle.
+  [[nodiscard]] Decision decide_by_start(const CampaignCase& c, const Observation& seen) {
     const auto found = cases_.find(c.precursor_id);
     if (found == cases_.end())
-      return made(c, Outlook::kBlocked, "its precursor " + c.precursor_id + " is not in the campaign");
-    const CampaignCase& precursor = *found->second;
-    const std::string& name = precursor.definition.label;
-    if (is_finished(precursor)) {
+      return made(c, Outlook::kBlocked,
+                  "the case that it starts from, " + c.precursor_id + ", is not in the campaign");
+    const CampaignCase& first = *found->second;
+    const std::string& name = first.definition.label;
+    if (is_finished(first)) {
       const Observation& start = observation(c.precursor_id);
-      if (start.newest_checkpoint) return made(c, Outlook::kStart, start_reason(seen));
-      if (!start.needs_person.empty())
-        return made(c, Outlook::kBlocked, "needs " + name + ": " + start.needs_person);
+      if (start.newest_checkpoint) return made(c, Outlook::kStart, start_reason(first, seen));
+      if (!start.needs_person.empty()) return blocked_by(c, first, start.needs_person);
       return made(c, Outlook::kBlocked, name + " has finished, but none of its checkpoints is valid");
     }
-    const Decision before = decide(precursor);
-    if (before.outlook == Outlook::kBlocked)
-      return made(c, Outlook::kBlocked, "needs " + name + ": " + before.reason);
+    const Decision& before = decide(first);
+    if (before.outlook == Outlook::kBlocked) return blocked_by(c, first, before.reason);
     return made(c, Outlook::kWaiting, "for " + name);
+  }
+
+  /// What the first case that cannot go on needs, however many wait in a line behind it.
+  [[nodiscard]] Decision blocked_by(const CampaignCase& c, const CampaignCase& first,
+                                    const std::string& reason) {
+    const auto passed_on = blocked_by_others_.find(first.definition.id);
+    const std::string why = passed_on == blocked_by_others_.end()
+                                ? "needs " + first.definition.label + ": " + reason
+                                : passed_on->second;
+    blocked_by_others_.emplace(c.definition.id, why);
+    return made(c, Outlook::kBlocked, why);
   }
 
   const Campaign& campaign_;
   std::unordered_map<std::string_view, const Observation*> observations_;
   std::unordered_map<std::string_view, const CampaignCase*> cases_;
+  std::unordered_map<std::string_view, Decision> decisions_;             ///< those made
+  std::unordered_map<std::string_view, std::string> blocked_by_others_;  ///< and why, for people
 };
 
 }  // namespace
 
 std::vector<Decision> decide(const Campaign& campaign, const std::vector<Observation>& observations) {
-  const Planner planner(campaign, observations);
+  Planner planner(campaign, observations);
   std::vector<Decision> decisions;
   for (const auto& c : campaign.cases) decisions.push_back(planner.decide(c));
   return decisions;
@@ -114,7 +140,7 @@ std::vector<Decision> decide(const Campaign& campaign, const std::vector<Observa
 
 std::vector<Action> plan(const Campaign& campaign, const std::vector<Observation>& observations,
                          int cores_free) {
-  const Planner planner(campaign, observations);
+  Planner planner(campaign, observations);
   std::vector<Action> actions;
   for (const auto& c : campaign.cases) {
     const Outlook outlook = planner.decide(c).outlook;

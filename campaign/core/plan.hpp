@@ -15,7 +15,7 @@ enum class Outlook {
   kResume,   ///< can go on from its newest checkpoint
   kRunning,  ///< a solver is at work on it
   kKept,     ///< finished: nothing to do
-  kWaiting,  ///< for its precursor
+  kWaiting,  ///< for the case that it starts from
   kBlocked   ///< will not be run again without a person: diverged, bad, failing without progress, too large
 };
 
@@ -30,8 +30,8 @@ struct Action {
   std::string case_id;
   bool resume = false;
   int ranks = 1;
-  /// The precursor's newest valid checkpoint as observed, to be written into run.initial_checkpoint; empty
-  /// when the case needs none.
+  /// The newest valid checkpoint of the case that it starts from, as observed, to be written into
+  /// run.initial_checkpoint; empty when the case needs none.
   std::filesystem::path initial_checkpoint;
 };
 

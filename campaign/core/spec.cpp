@@ -7,6 +7,7 @@
 
 #include "campaign/core/derive.hpp"
 #include "campaign/core/parameters.hpp"
+#include "campaign/core/start_order.hpp"
 #include "campaign/core/sweep.hpp"
 #include "campaign/core/words.hpp"
 #include "schemas/embedded.hpp"
@@ -168,6 +169,11 @@ void add_cross_checks(const json& document, std::vector<Mistake>& mistakes) {
     for (auto& more : until_mistakes(document.at("until"), flow_of(document)))
       mistakes.push_back(std::move(more));
   }
+  if (sound({"/start_from", "/until", "/physics"}, mistakes)) {
+    auto found =
+        start_from_mistakes(document.value("start_from", json()), document.at("until"), flow_of(document));
+    for (auto& more : found) mistakes.push_back(std::move(more));
+  }
   if (sound({"/execution"}, mistakes)) {
     check_cores(document.at("execution"), mistakes);
     check_precursor_ranks(document, mistakes);
@@ -181,6 +187,7 @@ CampaignSpec spec_of_cases(const json& document) {
   spec.precursor = document.value("precursor", json());
   spec.sweep = document.at("sweep");
   spec.derive = document.at("derive");
+  spec.start_from = start_from_of(document.value("start_from", json()));
   spec.run = document.at("run");
   return spec;
 }
@@ -210,8 +217,8 @@ CheckedSpec check_spec(const std::string& text, const std::string& source) {
   if (!given.is_object()) return checked;
   const json document = filled(given);
   add_cross_checks(document, checked.mistakes);
-  checked.can_expand =
-      sound({"/format", "/physics", "/precursor", "/sweep", "/derive", "/run"}, checked.mistakes);
+  checked.can_expand = sound(
+      {"/format", "/physics", "/precursor", "/sweep", "/derive", "/start_from", "/run"}, checked.mistakes);
   if (checked.mistakes.empty())
     checked.spec = spec_from(document, source, text);
   else if (checked.can_expand)

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "campaign/core/campaign.hpp"
+#include "campaign/core/start_order.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/json_schema.hpp"
 
@@ -15,12 +17,13 @@ namespace softwall::campaign {
 struct CampaignSpec {
   std::string name;
   std::string description;
-  nlohmann::json physics;             ///< common to all cases
-  nlohmann::json precursor;           ///< what a precursor has otherwise; null: cases start by themselves
-  nlohmann::json sweep;               ///< "grid", "zip", "list", "exclude", all present
-  nlohmann::json derive;              ///< expressions by the name of the parameter that they give
-  std::vector<IntervalTarget> until;  ///< when the cases of the sweep are precise enough
-  nlohmann::json run;                 ///< members of case.run
+  nlohmann::json physics;               ///< common to all cases
+  nlohmann::json precursor;             ///< what a precursor has otherwise; null: cases start by themselves
+  nlohmann::json sweep;                 ///< "grid", "zip", "list", "exclude", all present
+  nlohmann::json derive;                ///< expressions by the name of the parameter that they give
+  std::optional<StartFrom> start_from;  ///< which case of the sweep starts which
+  std::vector<IntervalTarget> until;    ///< when the cases of the sweep are precise enough
+  nlohmann::json run;                   ///< members of case.run
   Execution execution;
   std::string source;  ///< file name, for messages
   std::string text;

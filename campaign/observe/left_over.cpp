@@ -56,12 +56,14 @@ std::vector<std::string> differences(const std::map<std::string, json>& was,
   std::set<std::string> pointers;
   for (const auto& [pointer, value] : was) pointers.insert(pointer);
   for (const auto& [pointer, value] : is) pointers.insert(pointer);
+  const bool from_neighbour = value_of(is, "/initial/type") == "\"neighbour\"";
+  const std::string other_start = from_neighbour ? "another neighbour" : "another precursor";
   std::vector<std::string> found;
   for (const std::string& pointer : pointers) {
     const std::string before = value_of(was, pointer), now = value_of(is, pointer);
     if (before == now) continue;
-    const bool precursor = pointer == "/initial/precursor";
-    found.push_back(precursor ? "another precursor" : dotted(pointer) + " " + before + " instead of " + now);
+    const bool start = pointer == "/initial/precursor";
+    found.push_back(start ? other_start : dotted(pointer) + " " + before + " instead of " + now);
   }
   return found;
 }
@@ -69,11 +71,15 @@ std::vector<std::string> differences(const std::map<std::string, json>& was,
 }  // namespace
 
 std::vector<CampaignCase> left_over_cases(const Campaign& campaign, const std::filesystem::path& folder) {
-  std::set<std::string> directories, ids, precursors;
+  std::set<std::string> directories, ids, precursors, starting;
+  const auto note_start = [&](const CampaignCase& one) {
+    starting.insert(one.precursor_id);
+    if (one.definition.physics.initial.type == InitialType::kPrecursor) precursors.insert(one.precursor_id);
+  };
   for (const CampaignCase& one : campaign.cases) {
     directories.insert(one.directory);
     ids.insert(one.definition.id);
-    precursors.insert(one.precursor_id);
+    note_start(one);
   }
   std::vector<CampaignCase> found;
   std::error_code none;
@@ -82,12 +88,13 @@ std::vector<CampaignCase> left_over_cases(const Campaign& campaign, const std::f
     if (directories.contains(directory) || !entry.is_directory(none)) continue;
     auto one = case_in(folder, directory);
     if (!one || ids.contains(one->definition.id)) continue;
-    precursors.insert(one->precursor_id);
+    note_start(*one);
     found.push_back(std::move(*one));
   }
   for (CampaignCase& one : found) {
     one.is_precursor = precursors.contains(one.definition.id);
-    if (!one.is_precursor) one.until = campaign.until;
+    one.starts_others = starting.contains(one.definition.id);
+    if (!one.starts_others) one.until = campaign.until;
   }
   std::ranges::sort(found, [](const CampaignCase& a, const CampaignCase& b) {
     return std::pair(!a.is_precursor, a.directory) < std::pair(!b.is_precursor, b.directory);

@@ -213,7 +213,7 @@ Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run
   if (speaks) observation.attempts = summary->attempt;
   // Nobody needs the checkpoints of a case that is done, except where other cases start from them.
   const bool early = speaks && is_finished_early(*summary, campaign_case, run);
-  const bool done = early || (speaks && is_finished(*summary, campaign_case) && !campaign_case.is_precursor);
+  const bool done = early || (speaks && is_finished(*summary, campaign_case) && !campaign_case.starts_others);
   if (!done) observe_checkpoints(run, observation);
   if (observation.newest_checkpoint) {
     observation.state = CaseState::kInterrupted;

@@ -28,7 +28,7 @@ namespace softwall::campaign {
 [[nodiscard]] bool solver_is_inside(const RunFiles& run);
 
 /// The state of one case as if nobody worked on it. Checkpoints are looked at by their headers only, and
-/// not at all where the case has finished and is no precursor.
+/// not at all where the case has finished and no other starts from it.
 /// `attempts` is the newest attempt that left a trace; counting failures is the store's business.
 [[nodiscard]] Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run);
 

@@ -69,10 +69,10 @@ void CaseBook::mark_running(const CampaignCase& one, Presence presence) {
   now.state = CaseState::kRunning;
 }
 
-void CaseBook::look_at_precursors() {
+void CaseBook::look_at_starting_points() {
   for (const CampaignCase& one : campaign_.cases) {
     Observation& now = observations_[index_of(one.definition.id)];
-    if (!one.is_precursor || now.state != CaseState::kFinished || !is_needed(one)) continue;
+    if (!one.starts_others || now.state != CaseState::kFinished || !is_needed(one)) continue;
     const Ladder ladder = check(one);
     now.newest_checkpoint = ladder.newest;
     if (ladder.newest && has_reached(ladder.header.time, one.definition.run.end_time)) continue;
@@ -119,8 +119,8 @@ std::size_t CaseBook::index_of(const std::string& case_id) const {
   return found->second;
 }
 
-bool CaseBook::is_needed(const CampaignCase& precursor) const {
-  const auto found = started_by_.find(precursor.definition.id);
+bool CaseBook::is_needed(const CampaignCase& start) const {
+  const auto found = started_by_.find(start.definition.id);
   if (found == started_by_.end()) return false;
   return std::ranges::any_of(found->second,
                              [&](std::size_t i) { return observations_[i].state != CaseState::kFinished; });

@@ -44,9 +44,9 @@ class CaseBook {
   /// It has finished, but goes on from its last checkpoint, because something that it left is missing.
   void mark_unfinished(const CampaignCase& one, const std::filesystem::path& last_checkpoint,
                        const std::string& reason);
-  /// A finished precursor is of use only with its last checkpoint: if that is damaged, the precursor is to go
-  /// on from an older one, which gives the same last checkpoint again.
-  void look_at_precursors();
+  /// A finished case from which others have yet to start is of use to them only with its last checkpoint: if
+  /// that is damaged, it is to go on from an older one, which gives the same last checkpoint again.
+  void look_at_starting_points();
 
   /// Neither is started again in this run. A case that is given up would fail again unchanged; a paused one
   /// waits until somebody has put right what is in its way.
@@ -62,15 +62,16 @@ class CaseBook {
 
  private:
   [[nodiscard]] std::size_t index_of(const std::string& case_id) const;
-  [[nodiscard]] bool is_needed(const CampaignCase& precursor) const;
+  [[nodiscard]] bool is_needed(const CampaignCase& start) const;
 
   Campaign campaign_;
   std::filesystem::path folder_;
   Store& store_;
   Progress& progress_;
   std::vector<Observation> observations_;
-  std::unordered_map<std::string, std::size_t> index_;                    ///< by case id
-  std::unordered_map<std::string, std::vector<std::size_t>> started_by_;  ///< by the precursor's id
+  std::unordered_map<std::string, std::size_t> index_;  ///< by case id
+  std::unordered_map<std::string, std::vector<std::size_t>>
+      started_by_;             ///< by the id of the case that they start from
   std::vector<bool> settled_;  ///< in the order of campaign().cases
   bool may_start_over_ = false;
   std::map<std::string, std::string> given_up_, paused_;  ///< case id -> reason

@@ -6,7 +6,7 @@ namespace softwall::campaign {
 
 namespace {
 
-/// The case, or its precursor.
+/// The case, or the one that it starts from.
 bool needs_person(const CaseBook& book, const CampaignCase& one) {
   if (!book.seen(one).needs_person.empty()) return true;
   return !one.precursor_id.empty() && !book.seen(book.find(one.precursor_id)).needs_person.empty();
@@ -29,7 +29,9 @@ RunnerReport make_report(const CaseBook& book, const std::map<std::string, std::
     } else if (book.paused().contains(decision.case_id)) {
       report.unfinished.push_back({label, book.paused().at(decision.case_id), one.directory});
     } else if (book.paused().contains(one.precursor_id)) {
-      report.unfinished.push_back({label, "waits for its precursor, which is paused", one.directory});
+      report.unfinished.push_back(
+          {label, "waits for " + book.find(one.precursor_id).definition.label + ", which is paused",
+           one.directory});
     } else if (decision.outlook == Outlook::kBlocked && needs_person(book, one)) {
       report.unfinished.push_back({label, decision.reason, one.directory});
     } else if (book.given_up().contains(decision.case_id)) {
@@ -37,7 +39,8 @@ RunnerReport make_report(const CaseBook& book, const std::map<std::string, std::
     } else if (decision.outlook == Outlook::kBlocked) {
       report.failed.push_back({label, decision.reason, one.directory});
     } else {
-      report.unfinished.push_back({label, decision.reason, one.directory});
+      const bool waits = decision.outlook == Outlook::kWaiting;
+      report.unfinished.push_back({label, (waits ? "waits " : "") + decision.reason, one.directory});
     }
   }
   return report;

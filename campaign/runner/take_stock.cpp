@@ -28,7 +28,7 @@ bool Runner::take_stock() {
     return false;
   }
   record_what_is_new();
-  book_.look_at_precursors();
+  book_.look_at_starting_points();
   const auto origins = store_.result_origins();
   Transaction together(store_.connection());
   for (const CampaignCase& one : cases) {

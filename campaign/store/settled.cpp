@@ -8,7 +8,7 @@
 namespace softwall::campaign {
 
 bool is_settled(const CampaignCase& one, const CaseRecord& known, const RunFiles& run) {
-  if (one.is_precursor || known.state != CaseState::kFinished ||
+  if (one.starts_others || known.state != CaseState::kFinished ||
       !has_reached(known.reached_time, one.definition.run.end_time))
     return false;
   const std::string changed = change_time(run.directory);

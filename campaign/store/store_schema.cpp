@@ -49,10 +49,11 @@ const Migration& step_from(int version, std::span<const Migration> steps, const 
 }  // namespace
 
 std::span<const Migration> migrations() {
-  static constexpr std::array<Migration, 3> kSteps = {{
+  static constexpr std::array<Migration, 4> kSteps = {{
       {1, schemas::kFrom1Sql},
       {2, ""},  // views only: results shows the present campaign, results_all everything
       {3, schemas::kFrom3Sql},
+      {4, ""},  // views only: started_from
   }};
   return kSteps;
 }

@@ -12,7 +12,7 @@
 namespace softwall::campaign {
 
 inline constexpr std::int32_t kApplicationId = 0x73667477;  ///< "sftw", in the header of the file
-inline constexpr int kSchemaVersion = 4;                    ///< user_version, in the header of the file
+inline constexpr int kSchemaVersion = 5;                    ///< user_version, in the header of the file
 
 /// The SQL that turns a store of one format into the next.
 struct Migration {

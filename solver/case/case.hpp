@@ -26,7 +26,7 @@ enum class FlowType { kRigidChannel, kElasticWall, kCavity, kRotation, kInterfac
   return flow == FlowType::kRigidChannel || flow == FlowType::kElasticWall;
 }
 
-enum class InitialType { kPerturbedLaminar, kPrecursor };
+enum class InitialType { kPerturbedLaminar, kPrecursor, kNeighbour };
 enum class SolidFormulation { kTransportedB, kReferenceMap };
 enum class WenoWeights { kJiangShu, kZ };
 enum class InterfaceTransport { kWeno, kMthinc, kHeight };
@@ -85,7 +85,7 @@ struct InitialSpec {
   double amplitude = 0.0;  ///< of the perturbation, in U_b
   std::uint64_t seed = 0;
   std::string precursor;      ///< case id whose last checkpoint starts this case
-  double precursor_time = 0;  ///< the end time that precursor ran to
+  double precursor_time = 0;  ///< the end time that case ran to
 };
 
 struct StatisticsSpec {

@@ -140,13 +140,19 @@ void check_wave_rate(const SoundMembers& members, std::vector<Mistake>& mistakes
                           (is_wave ? "; the nearest one found: " + wave_text(*rate) : std::string())});
 }
 
+bool starts_from_a_case(const std::string& type) { return type == "precursor" || type == "neighbour"; }
+
+void check_starts_by_itself(const SoundMembers& members, const char* rule, std::vector<Mistake>& mistakes) {
+  const auto type = members.get<std::string>("/physics/initial/type");
+  if (type && starts_from_a_case(*type)) mistakes.push_back({"/physics/initial/type", *type, rule});
+}
+
 void check_interface_wave(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
   check_layer(members, filled, mistakes);
   if (!member_at(filled, "/physics/wave"))
     mistakes.push_back(
         {"/physics/wave", "missing", "flow \"interface_wave\" needs an object with decay and frequency"});
-  if (members.get<std::string>("/physics/initial/type") == "precursor")
-    mistakes.push_back({"/physics/initial/type", "precursor", "an interface wave starts by itself"});
+  check_starts_by_itself(members, "an interface wave starts by itself", mistakes);
   check_wave_rate(members, mistakes);
 }
 
@@ -200,8 +206,7 @@ void check_closed_box(const SoundMembers& members, const json& filled, std::vect
   const auto ratio = members.get<double>("/physics/solid/viscosity_ratio");
   if (ratio.value_or(1) != 1 && members.get<std::string>("/physics/time_step/viscosity") == "implicit")
     mistakes.push_back({"/physics/time_step/viscosity", "implicit", "needs viscosity_ratio 1"});
-  if (members.get<std::string>("/physics/initial/type") == "precursor")
-    mistakes.push_back({"/physics/initial/type", "precursor", "a closed box starts by itself"});
+  check_starts_by_itself(members, "a closed box starts by itself", mistakes);
 }
 
 void check_no_accuracy(const SoundMembers& members, std::vector<Mistake>& mistakes) {
@@ -214,9 +219,9 @@ void check_initial(const SoundMembers& members, std::vector<Mistake>& mistakes) 
   const auto type = members.get<std::string>("/physics/initial/type");
   const auto precursor = members.get<std::string>("/physics/initial/precursor");
   if (!type || !precursor) return;
-  if (*type == "precursor" && precursor->empty())
+  if (starts_from_a_case(*type) && precursor->empty())
     mistakes.push_back(
-        {"/physics/initial/precursor", "empty", "initial type \"precursor\" needs the precursor's case id"});
+        {"/physics/initial/precursor", "empty", "initial type \"" + *type + "\" needs that case's id"});
 }
 
 }  // namespace

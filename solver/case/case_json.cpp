@@ -22,7 +22,9 @@ constexpr std::pair<FlowType, const char*> kFlowNames[] = {{FlowType::kRigidChan
                                                            {FlowType::kRotation, "rotation"},
                                                            {FlowType::kInterfaceWave, "interface_wave"}};
 constexpr std::pair<InitialType, const char*> kInitialNames[] = {
-    {InitialType::kPerturbedLaminar, "perturbed_laminar"}, {InitialType::kPrecursor, "precursor"}};
+    {InitialType::kPerturbedLaminar, "perturbed_laminar"},
+    {InitialType::kPrecursor, "precursor"},
+    {InitialType::kNeighbour, "neighbour"}};
 constexpr std::pair<SolidFormulation, const char*> kFormulationNames[] = {
     {SolidFormulation::kTransportedB, "transported_B"}, {SolidFormulation::kReferenceMap, "reference_map"}};
 constexpr std::pair<WenoWeights, const char*> kWenoNames[] = {{WenoWeights::kJiangShu, "js"},

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/case/time_comparison.hpp"
 #include "solver/output/agree.hpp"
 #include "solver/output/checkpoint_reader.hpp"
+#include "solver/output/initial_checkpoint.hpp"
 #include "solver/time/initial.hpp"
 
 namespace softwall::output {
@@ -119,32 +119,12 @@ void must_fit(const char* what, double in_file, double expected) {
                                             std::to_string(expected));
 }
 
-/// Throws unless the file is an intact checkpoint of the precursor that this case names, at its end or later,
-/// in the same box.
+/// Throws unless the file is such a checkpoint, and of the same box.
 void check_precursor(const std::filesystem::path& path, const InitialSpec& initial, const grid::Grid& g) {
-  if (!std::filesystem::exists(path)) {
-    throw AgreedError(ExitCode::kBadCase, "run.initial_checkpoint: " + path.string() + " does not exist");
-  }
-  CheckpointHeader header;
-  try {
-    header = read_checkpoint_header(path);
-  } catch (const std::exception& error) {
-    throw AgreedError(ExitCode::kCheckpointRefused, path.string() + ": " + error.what());
-  }
-  if (header.case_id != initial.precursor) {
-    throw AgreedError(ExitCode::kBadCase, path.string() + " belongs to case " + header.case_id +
-                                              ", physics.initial.precursor is " + initial.precursor);
-  }
-  if (!has_reached(header.time, initial.precursor_time)) {
-    throw AgreedError(ExitCode::kBadCase, path.string() + " is of time " + std::to_string(header.time) +
-                                              ", this case starts where the precursor has reached " +
-                                              std::to_string(initial.precursor_time));
-  }
+  const CheckpointHeader header = check_initial_checkpoint(path, initial);
   must_fit("length in x", header.length[0], g.length_x);
   must_fit("height", header.length[1], kFluidHeight);
   must_fit("length in z", header.length[2], g.length_z);
-  const CheckpointVerdict verdict = verify_checkpoint(path, initial.precursor);
-  if (!verdict.valid) throw AgreedError(ExitCode::kCheckpointRefused, "precursor: " + verdict.reason);
 }
 
 }  // namespace

@@ -41,6 +41,15 @@ TEST_F(Eta, IsNeverLessThanTheLongestCase) {
   EXPECT_NEAR(left(1000), seconds_of(0) + longest, 1e-6 * longest);
 }
 
+TEST_F(Eta, OfALineIsAllOfItsCasesHoweverManyCoresThereAre) {
+  double line = 0;
+  for (std::size_t i = 1; i < 5; ++i) {
+    line += seconds_of(i);
+    if (i > 1) campaign_.cases[i].precursor_id = campaign_.cases[i - 1].definition.id;
+  }
+  EXPECT_NEAR(left(1000), seconds_of(0) + line, 1e-6 * line);
+}
+
 TEST_F(Eta, CountsNothingForWhatIsFinishedDivergedOrRefused) {
   seen_[0].state = CaseState::kFinished;
   seen_[1].state = CaseState::kDiverged;

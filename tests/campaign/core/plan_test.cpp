@@ -210,5 +210,39 @@ TEST(Plan, CarriedOutItFinishesTheCampaign) {
   }
 }
 
+/// P starts A, A starts B, B starts C: a line of cases.
+Campaign line() {
+  Campaign made = campaign();
+  made.cases[2].precursor_id = "A";
+  made.cases[3].precursor_id = "B";
+  return made;
+}
+
+TEST(Plan, ALineRunsOneCaseAfterTheOther) {
+  EXPECT_EQ(planned(line(), {}), "start P");
+  EXPECT_EQ(planned(line(), {finished("P")}), "start A");
+  EXPECT_EQ(planned(line(), {finished("P"), finished("A")}), "start B");
+  EXPECT_EQ(decision(line(), {finished("P"), finished("A")}, "B").reason, "new, from the end of A");
+  EXPECT_EQ(decision(line(), {finished("P")}, "C").reason, "for B");
+  EXPECT_EQ(plan(line(), {finished("P"), finished("A")}, 1).front().initial_checkpoint,
+            "cases/A/checkpoint.h5");
+}
+
+TEST(Plan, AllThatWaitInALineNameTheOneThatCannotGoOn) {
+  Observation diverged = seen("A", CaseState::kDiverged);
+  diverged.reason = "too fast";
+  const std::vector<Observation> now{finished("P"), diverged};
+  for (const char* id : {"B", "C"}) {
+    EXPECT_EQ(decision(line(), now, id).outlook, Outlook::kBlocked);
+    EXPECT_EQ(decision(line(), now, id).reason,
+              "needs A: diverged, after: too fast; it would do so again unchanged");
+  }
+  Campaign narrow = line();
+  narrow.execution.cores = 1;
+  narrow.cases[2].ranks = 2;
+  EXPECT_EQ(decision(narrow, {finished("P"), finished("A")}, "C").reason,
+            "needs B: needs 2 cores, there are 1");
+}
+
 }  // namespace
 }  // namespace softwall::campaign

@@ -51,6 +51,25 @@ TEST_F(LeftOverTest, CasesThatLeftTheSweepAreFoundWithTheirPrecursor) {
   EXPECT_NE(why_left_over(left[1], now).find("another precursor"), std::string::npos);
 }
 
+/// A case that started others of the sweep is no precursor, and its end time is a part of them.
+TEST_F(LeftOverTest, ARaisedEndMakesOtherCasesOfThoseThatStartFromOthers) {
+  document_["start_from"] = {{"nearest", "G"}};
+  auto longer = document_;
+  longer["run"]["end_time"] = 60;
+  prepare(document_);
+  const Campaign now = loaded(longer);
+  int of_the_line = 0;
+  for (const auto& one : left_over_cases(now, folder_.path())) {
+    EXPECT_FALSE(one.is_precursor) << one.definition.label;
+    if (one.definition.physics.initial.type != InitialType::kNeighbour) continue;
+    ++of_the_line;
+    EXPECT_NE(why_left_over(one, now).find(", but initial.precursor_time 50 instead of 60"),
+              std::string::npos)
+        << why_left_over(one, now);
+  }
+  EXPECT_EQ(of_the_line, 2);
+}
+
 TEST_F(LeftOverTest, ARaisedEndOfThePrecursorIsNamed) {
   auto other = document_;
   other["precursor"]["run"]["end_time"] = 120;
