@@ -23,6 +23,7 @@ FIGURES = {
     "interface_velocity": ("plot_interface_velocity.py",),
     "fluctuations": ("plot_fluctuations.py",),
     "kinetic_energy": ("plot_kinetic_energy.py",),
+    "energy_budget": ("plot_energy_budget.py",),
     "wall_surface": ("plot_wall_surface.py",),
     "elastic_stress": ("plot_elastic_stress.py",),
     "velocity_planes": ("plot_velocity_planes.py",),

@@ -10,6 +10,7 @@ import h5py
 import numpy as np
 
 FIELDS = "uvwp"
+MOST_DECADES = 8
 
 
 class Means:
@@ -33,7 +34,7 @@ class Means:
 
 class Spectra:
     """spectra.h5 of a case from its averaging window on. The constructor raises OSError or KeyError where it cannot be
-    read. `flow` and `interface` are Means, `interface` is None without an elastic wall."""
+    read. `flow`, `budget` and `interface` are Means; the latter is None without an elastic wall."""
 
     def __init__(self, case):
         with h5py.File(case.directory / "spectra.h5") as file:
@@ -42,6 +43,7 @@ class Spectra:
             self.length = dict(zip("xz", grid["length"][:]))
             self.columns = dict(zip("xz", grid["columns"][:].astype(int)))
             self.flow = Means(file["spectra"], case.start[0])
+            self.budget = Means(file["budget"], case.start[0]) if "budget" in file else None
             self.interface, self.waves = None, None
             if "interface" in file:
                 self.interface = Means(file["interface"], case.start[0])
@@ -57,6 +59,11 @@ class Spectra:
     def wave_numbers(self, axis):
         return 2 * np.pi * np.arange(self.columns[axis] // 2 + 1) / self.length[axis]
 
+    def whole_bins(self, axis):
+        """The modes that stand for as much of k as their neighbours: without 0, and without the shortest wave that the grid
+        holds, of which there is only half."""
+        return slice(1, (self.columns[axis] + 1) // 2)
+
     def spectrum(self, axis, field):
         """E(k, y) such that the integral over the wave number k > 0 is the mean square: [mode][row]; `field` "eta": [mode]."""
         return self.flow.mean(f"{axis}_{field}") * self.length[axis] / (2 * np.pi)
@@ -64,6 +71,13 @@ class Spectra:
     def correlation(self, axis, field):
         """R(y, separation), [row][separation], over its value at 0; 0 where nothing moves."""
         return correlation_of(self.flow.mean(f"{axis}_{field}").T, self.columns[axis])
+
+
+def show_decades(panel, drawn):
+    """Logarithmic axes for these spectra, down to their smallest value but not further than MOST_DECADES."""
+    largest = max(E.max() for E in drawn)
+    smallest = min((E[E > 0].min() for E in drawn if (E > 0).any()), default=largest)
+    panel.set(xscale="log", yscale="log", ylim=(max(smallest / 2, largest / 10**MOST_DECADES), 3 * largest))
 
 
 def correlation_of(power, n):

@@ -1,12 +1,14 @@
 #include "solver/solid/elastic_force.hpp"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "solver/grid/cell_loop.hpp"
 #include "solver/grid/stage.hpp"
 #include "solver/solid/cofactors.hpp"
 #include "solver/solid/fraction.hpp"
+#include "solver/solid/stress_work.hpp"
 
 namespace softwall::solid {
 
@@ -64,22 +66,33 @@ ElasticForce::ElasticForce(ElasticLaw<Real> law, const InterfaceShare& share, co
 
 void ElasticForce::keep() { std::swap(now_, before_); }
 
-void ElasticForce::find(const Material& m, int first_row, int k) {
+/// Calls visit(stress, j0, j1) for the rows that fluid and solid share, and for those that are all solid.
+template <class Visit>
+void ElasticForce::with_stress(const Material& m, int first_row, const Visit& visit) const {
+  const int above = std::max(first_row, m.solid_edges_from(grid_.ny));
+  const Fraction phi{m.phi.view(), grid_.upper_share.data(), !share_.is_mean_by_volume()};
+  const auto with = [&](const auto& solid) {
+    visit(Stress<std::decay_t<decltype(solid)>>{solid, phi, share_.view()}, first_row, above);
+    visit(solid, above, grid_.ny);
+  };
   if (law_.is_neo_hookean()) {
-    find(StressOfSolid{m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(),
-                       m.B.yz.view(), law_},
-         m, first_row, k);
+    with(StressOfSolid{m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(),
+                       m.B.yz.view(), law_});
   } else {
-    find(StressWithCofactors{cofactors_of(m, grid_), law_}, m, first_row, k);
+    with(StressWithCofactors{cofactors_of(m, grid_), law_});
   }
 }
 
-template <class StressOfSolid>
-void ElasticForce::find(const StressOfSolid& solid, const Material& m, int first_row, int k) {
-  const int above = std::max(first_row, m.solid_edges_from(grid_.ny));
-  const Fraction phi{m.phi.view(), grid_.upper_share.data(), !share_.is_mean_by_volume()};
-  divergence_.find(Stress<StressOfSolid>{solid, phi, share_.view()}, first_row, above, k, now_);
-  divergence_.find(solid, above, grid_.ny, k, now_);
+void ElasticForce::find(const Material& m, int first_row, int k) {
+  with_stress(m, first_row,
+              [&](const auto& stress, int j0, int j1) { divergence_.find(stress, j0, j1, k, now_); });
+}
+
+void ElasticForce::add_work(const Material& m, const grid::VectorField& velocity, int first_row,
+                            std::vector<double>& work) const {
+  with_stress(m, first_row, [&](const auto& stress, int j0, int j1) {
+    add_stress_work(stress, velocity, grid_, j0, j1, work);
+  });
 }
 
 void ElasticForce::find_middle(const Material& m, int first_row, int k) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "solver/case/elastic_law.hpp"
 #include "solver/solid/interface_share.hpp"
 #include "solver/solid/material.hpp"
@@ -29,12 +31,16 @@ class ElasticForce {
   /// time.
   void find_middle(const Material& material, int first_row, int k);
 
+  /// Adds the work of the stress at this moment (stress_work.hpp), in rows from first_row on.
+  void add_work(const Material& material, const grid::VectorField& velocity, int first_row,
+                std::vector<double>& work) const;
+
   [[nodiscard]] const grid::VectorField& now() const { return now_; }
   [[nodiscard]] const grid::VectorField& before() const { return before_; }
 
  private:
-  template <class StressOfSolid>
-  void find(const StressOfSolid& solid, const Material& material, int first_row, int k);
+  template <class Visit>
+  void with_stress(const Material& material, int first_row, const Visit& visit) const;
 
   ElasticLaw<Real> law_;
   const InterfaceShare& share_;

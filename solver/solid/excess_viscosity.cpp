@@ -6,6 +6,7 @@
 #include "solver/grid/cell_loop.hpp"
 #include "solver/solid/column_extension.hpp"
 #include "solver/solid/fraction.hpp"
+#include "solver/solid/stress_work.hpp"
 
 namespace softwall::solid {
 
@@ -158,6 +159,16 @@ void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity
     }
   }
   if (across_) keep_apart(stress, first_row, g, force_, *across_);
+}
+
+void ExcessViscosity::add_work(const Material& m, const grid::VectorField& velocity, int first_row,
+                               std::vector<double>& work) const {
+  const ExcessStress stress = stress_of(m, velocity, shear_xy_, shear_yz_, ratio_, share_, grid_);
+  if (ratio_ == 1) {
+    add_stress_work(ExcessStressAtInterface{stress}, velocity, grid_, first_row, end_row_, work);
+  } else {
+    add_stress_work(stress, velocity, grid_, first_row, end_row_, work);
+  }
 }
 
 std::vector<double> ExcessViscosity::shear_stress_sums(const Material& m, const grid::VectorField& velocity,

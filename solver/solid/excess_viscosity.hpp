@@ -46,6 +46,10 @@ class ExcessViscosity {
   /// a null pointer where it is not.
   [[nodiscard]] const grid::VectorField* across() const { return across_ ? &*across_ : nullptr; }
 
+  /// Adds the work of this stress (stress_work.hpp) at the moment of the last renew().
+  void add_work(const Material& material, const grid::VectorField& velocity, int first_row,
+                std::vector<double>& work) const;
+
   /// Sum over this rank's columns of the shear stress on xy edges, for each row 0 .. ny: the fluxes of which
   /// the force is the difference.
   [[nodiscard]] std::vector<double> shear_stress_sums(const Material& material,

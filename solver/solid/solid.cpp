@@ -114,6 +114,21 @@ SolidInput Solid::input(const Material& material) const {
   return input;
 }
 
+Solid::Action Solid::action(const Material& material, const grid::VectorField& velocity) {
+  const auto rows = static_cast<std::size_t>(grid_.ny);
+  Action action{.elastic = &force_.now(),
+                .elastic_work = std::vector<double>(rows),
+                .excess_work = std::vector<double>(rows)};
+  force_.add_work(material, velocity, first_row_, action.elastic_work);
+  if (!excess_viscosity_) return action;
+  excess_viscosity_->renew(material, velocity, first_row_);
+  excess_viscosity_->add_work(material, velocity, first_row_, action.excess_work);
+  action.excess = &excess_viscosity_->force();
+  action.across = excess_viscosity_->across();
+  action.excess_end_row = excess_viscosity_->end_row();
+  return action;
+}
+
 std::vector<double> Solid::excess_shear_sums(const Material& material,
                                              const grid::VectorField& velocity) const {
   if (!excess_viscosity_) return {};

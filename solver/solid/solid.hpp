@@ -45,6 +45,19 @@ class Solid {
   /// predictor.
   [[nodiscard]] SolidInput input(const Material& material) const;
 
+  /// What the stresses of the solid do to the flow at this moment, for statistics: forces on the faces, in
+  /// rows first_row() <= j < end_row, and their work, sums over this rank's columns by row (stress_work.hpp).
+  /// Those of the excess viscous stress are over mu_f; `excess` and `across`, its part between rows where
+  /// that is kept apart, are null where there is none.
+  struct Action {
+    const grid::VectorField *elastic = nullptr, *excess = nullptr, *across = nullptr;
+    int excess_end_row = 0;
+    std::vector<double> elastic_work, excess_work;
+  };
+  /// Between two steps; ghost cells filled. Changes no result of the next one, which finds the excess viscous
+  /// force anew.
+  [[nodiscard]] Action action(const Material& material, const grid::VectorField& velocity);
+
   /// Sum over this rank's columns of the excess viscous shear stress over mu_f on xy edges, for each row 0 ..
   /// ny; empty when the viscosities are equal. Ghost cells filled.
   [[nodiscard]] std::vector<double> excess_shear_sums(const Material& material,

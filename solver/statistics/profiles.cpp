@@ -6,6 +6,7 @@
 #include "solver/parallel/reduce.hpp"
 #include "solver/solid/cofactors.hpp"
 #include "solver/solid/fraction.hpp"
+#include "solver/statistics/momentum_input.hpp"
 
 namespace softwall::statistics {
 
@@ -140,13 +141,6 @@ void add_solid_face_line(const time::State& s, const Grid& g, const ElasticLaw<d
       stress += share_of_edge(i) * (xy(i, j, k) - m * (xy(i, j, k) + C.xy(i, j, k)));
   }
   sums(kElasticStress, j) += law.G * stress;
-}
-
-fluid::MomentumInput momentum_input(const time::State& s, const time::Setup& setup) {
-  const Grid& g = setup.grid;
-  return {s.velocity.x.view(), s.velocity.y.view(),  s.velocity.z.view(),
-          g.inv_dy.data(),     g.inv_dy_face.data(), g.upper_share.data(),
-          Real(1 / g.dx),      Real(1 / g.dz),       Real(setup.viscosity)};
 }
 
 /// Sums over this rank's part of every plane: one sweep through the fields, line by line.

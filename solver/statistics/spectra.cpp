@@ -13,7 +13,7 @@ namespace {
 
 std::vector<double> copy(std::span<const double> values) { return {values.begin(), values.end()}; }
 
-constexpr const char *kSchedule = "spectra_schedule", *kFlow = "spectra_of_flow",
+constexpr const char *kSchedule = "spectra_schedule", *kFlow = "spectra_of_flow", *kBudget = "energy_budget",
                      *kInterface = "interface_moments", *kWaves = "interface_waves";
 
 }  // namespace
@@ -25,6 +25,10 @@ Spectra::Spectra(time::Setup& setup, std::int64_t interval_steps)
   const BlockSchedule shortest{spec.start_time, spec.block_length};
   flow_.emplace(setup.grid, setup.decomposition);
   of_flow_.emplace(shortest, flow_->part_size());
+  if (is_driven_channel(setup.physics.flow)) {
+    budget_.emplace(setup.grid);
+    of_budget_.emplace(shortest, kBudgetKinds.size() * static_cast<std::size_t>(setup.grid.ny));
+  }
   if (!setup.solid) return;
   of_interface_.emplace(shortest, kInterfaceMoments.size() + kHeightBins);
   waves_.emplace(setup.grid);
@@ -49,6 +53,7 @@ void Spectra::sample_step(const time::State& s, double dt) {
 
 void Spectra::sample_fields(const time::State& s, double weight, const std::vector<double>& heights) {
   of_flow_->add_sample(s.time, weight, flow_->part_of(s, heights, setup_.projection->poisson()));
+  if (budget_) of_budget_->add_sample(s.time, weight, budget_->sample(s, setup_));
   if (of_interface_) of_interface_->add_sample(s.time, weight, interface_sample(s, heights, setup_));
 }
 
@@ -57,6 +62,7 @@ Spectra::Packed Spectra::pack() const {
   if (!flow_) return packed;
   packed[kSchedule] = {started_ ? 1.0 : 0.0, last_sample_};
   packed[kFlow] = of_flow_->pack([this](std::span<const double> part) { return flow_->whole(part); });
+  if (of_budget_) packed[kBudget] = of_budget_->pack(copy);
   if (of_interface_) packed[kInterface] = of_interface_->pack(copy);
   if (waves_) packed[kWaves] = waves_->pack();
   return packed;
@@ -76,11 +82,12 @@ void Spectra::unpack(const Packed& packed) {
     of_flow_->unpack(values, flow_->whole_size(),
                      [this](std::span<const double> whole) { return flow_->part(whole); });
   });
-  if (of_interface_) {
-    with(kInterface, [this](std::span<const double> values) {
-      of_interface_->unpack(values, of_interface_->values(), copy);
-    });
-  }
+  const auto replicated = [&with](const char* name, std::optional<MergingBlocks>& blocks) {
+    if (!blocks) return;
+    with(name, [&](std::span<const double> values) { blocks->unpack(values, blocks->values(), copy); });
+  };
+  replicated(kBudget, of_budget_);
+  replicated(kInterface, of_interface_);
   if (waves_) with(kWaves, [this](std::span<const double> values) { waves_->unpack(values); });
 }
 
@@ -89,6 +96,7 @@ std::vector<analysis::NamedArray> Spectra::arrays() const {
   if (!flow_) return arrays;
   append_grid(setup_, arrays);
   append_spectra(*flow_, *of_flow_, last_sample_, setup_, arrays);
+  if (of_budget_) append_budget(*of_budget_, last_sample_, setup_, arrays);
   if (of_interface_) append_interface(*of_interface_, last_sample_, setup_, arrays);
   if (waves_) append_waves(*waves_, arrays);
   if (setup_.decomposition.all().rank() != 0) arrays.clear();

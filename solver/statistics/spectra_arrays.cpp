@@ -4,6 +4,7 @@
 #include <string>
 
 #include "solver/case/time_comparison.hpp"
+#include "solver/statistics/energy_budget.hpp"
 #include "solver/statistics/interface_moments.hpp"
 
 namespace softwall::statistics {
@@ -121,6 +122,22 @@ void append_spectra(const FlowSpectra& flow, const MergingBlocks& blocks, double
     if (!whole.empty()) by_name.add(whole, block.sampled);
   }
   if (setup.decomposition.all().rank() == 0) by_name.append_to(arrays);
+}
+
+void append_budget(const MergingBlocks& blocks, double last_sample, const time::Setup& setup,
+                   Arrays& arrays) {
+  const auto rows = static_cast<std::size_t>(setup.grid.ny);
+  append_blocks("budget", blocks, last_sample, arrays);
+  for (std::size_t n = 0; n < kBudgetKinds.size(); ++n) {
+    const BudgetKind& kind = kBudgetKinds[n];
+    arrays.push_back({"budget",
+                      std::string(kind.name),
+                      std::string(kind.unit),
+                      "plane mean by row: " + std::string(kind.description),
+                      {blocks.all().size(), rows},
+                      means(blocks, n * rows, rows),
+                      true});
+  }
 }
 
 void append_interface(const MergingBlocks& blocks, double last_sample, const time::Setup& setup,

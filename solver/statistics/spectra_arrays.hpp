@@ -20,6 +20,8 @@ void append_grid(const time::Setup& setup, Arrays& arrays);
 void append_spectra(const FlowSpectra& flow, const MergingBlocks& blocks, double last_sample,
                     const time::Setup& setup, Arrays& arrays);
 
+void append_budget(const MergingBlocks& blocks, double last_sample, const time::Setup& setup, Arrays& arrays);
+
 void append_interface(const MergingBlocks& blocks, double last_sample, const time::Setup& setup,
                       Arrays& arrays);
 

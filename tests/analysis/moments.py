@@ -70,6 +70,29 @@ def _write_blocks(data, group, start, end):
     data[f"{group}/start"], data[f"{group}/end"], data[f"{group}/weight"] = start, end, end - start
 
 
+def budget_of_a_known_flow(y_face, reynolds=2800.0):
+    """Arrays of the budget of energy, [row]: a parabola under a layer at rest whose fluctuations produce, dissipate 0.9 of it in
+    the same row, and hand on the rest, 0.1, from the lower half of the fluid to the upper. Also the production."""
+    y, dy = (y_face[1:] + y_face[:-1]) / 2, np.diff(y_face)
+    u = np.where(y < 2, 1.5 * y * (2 - y), 0)
+    gap = np.concatenate([[dy[0]], np.diff(y), [dy[-1]]])
+    shear = np.diff(np.concatenate([[-u[0]], u, [-u[-1]]])) / gap
+    flux = np.where((y_face > 0) & (y_face < 2), -0.003 * np.sin(np.pi * y_face), 0)
+    to_rows = lambda faces: (faces[:-1] * gap[:-1] + faces[1:] * gap[1:]) / (2 * dy)
+    stress, production = shear / reynolds, -to_rows(flux * shear)
+    force = {"convection": -np.diff(flux) / dy, "viscous": np.diff(stress) / dy, "excess": 0 * u, "elastic": 0 * u,
+             "driving": 0.004 + 0 * u}
+    handed_on = np.where(y < 1, -1.0, 0.0) + np.where((y > 1) & (y < 2), 1.0, 0.0)
+    handed_on *= 0.1 * (production * dy)[y < 1].sum() / np.where(handed_on < 0, dy[y < 1].sum(), dy[(y > 1) & (y < 2)].sum())
+    power = {"convection": u * force["convection"] + production + handed_on,
+             "viscous": u * force["viscous"] - 0.9 * production, "excess": 0 * u, "elastic": 0 * u,
+             "driving": u * force["driving"]}
+    arrays = {f"force_{name}": rows for name, rows in force.items()} | {f"power_{name}": rows for name, rows in power.items()}
+    arrays |= {"u": u, "uv": flux[:-1], "kinetic": u**2 / 2, "elastic": 0 * u, "power_pressure": 0 * u,
+               "work_viscous": to_rows(stress * shear) + 0.9 * production, "work_excess": 0 * u, "work_elastic": 0 * u}
+    return arrays, production, handed_on
+
+
 def write_spectra(file, y_face, blocks, elastic):
     """spectra.h5 with the waves of `eta` and `velocity`, and a power law beside them; a wave of the interface that travels
     with speed 0.6. `blocks`: their bounds, h/U_b."""
@@ -91,6 +114,9 @@ def write_spectra(file, y_face, blocks, elastic):
             if elastic:
                 height = AMPLITUDE**2 / 2 * (mode == (WAVES if axis == "x" else 0)) + 1e-3 * power
                 data[f"spectra/{axis}_eta"] = np.broadcast_to(height, (len(start), len(height)))
+        _write_blocks(data, "budget", start, end)
+        for name, rows in budget_of_a_known_flow(y_face)[0].items():
+            data[f"budget/{name}"] = np.broadcast_to(rows, (len(start), len(rows)))
         if not elastic:
             return
         _write_blocks(data, "interface", start, end)

@@ -82,6 +82,43 @@ class SpectraFile(unittest.TestCase):
         self.assertAlmostEqual(flatness, 1.5)
 
 
+class EnergyBudgets(unittest.TestCase):
+    def setUp(self):
+        self.y_face = np.concatenate([np.linspace(0, 2, 41), np.linspace(2.05, 2.5, 10)])
+        with tempfile.TemporaryDirectory() as folder:
+            moments.write_spectra(pathlib.Path(folder) / "spectra.h5", self.y_face, [0.0, 10, 20], elastic=True)
+            spectra = spectra_data.read_spectra(FakeCase(folder, 0))
+        self.budget = energy_budget.Budget(spectra, 2800.0)
+        self.arrays, self.production, self.handed_on = moments.budget_of_a_known_flow(self.y_face)
+
+    def assert_equal_rows(self, found, exact):
+        self.assertLess(abs(found - exact).max(), 1e-15)
+
+    def test_the_mean_flow_is_taken_out_of_every_term(self):
+        terms = self.budget.terms()
+        self.assert_equal_rows(terms["production"], self.production)
+        self.assert_equal_rows(terms["dissipation"], -0.9 * self.production)
+        self.assert_equal_rows(terms["turbulent transport"], self.handed_on)
+        for name in ("pressure transport", "viscous transport", "work on the wall", "elastic transport", "driving"):
+            self.assert_equal_rows(terms[name], 0)
+        self.assertGreater(self.budget.total(self.production), 1e-4)
+        self.assertAlmostEqual(self.budget.total(terms["turbulent transport"]), 0)
+
+    def test_what_is_missing_is_the_error_of_closure(self):
+        missing = 0.1 * self.production + self.handed_on
+        produced = self.budget.total(self.production)
+        local, whole = self.budget.closure()
+        self.assertAlmostEqual(local, self.budget.total(abs(missing)) / produced)
+        self.assertAlmostEqual(whole, 0.1)
+
+    def test_the_power_of_the_gradient_is_accounted_for(self):
+        driving, spent, rest = self.budget.bulk()
+        self.assertAlmostEqual(driving, 0.004 * 2, delta=2e-5)
+        dissipated = self.budget.total(self.arrays["work_viscous"])
+        self.assertAlmostEqual(spent["viscous"], dissipated)
+        self.assertAlmostEqual(rest, driving - dissipated)
+
+
 class SpaceTimeSpectra(unittest.TestCase):
     def waves(self, noise=0.0):
         """One wave downstream and one upstream, at moments that lie as a solver's do."""
@@ -115,6 +152,7 @@ if __name__ == "__main__":
     import h5py
     import numpy as np
 
+    import energy_budget
     import moments
     import plot_interface_shape
     import spectra_data

@@ -39,6 +39,26 @@ class InterfaceWave(EndToEndTest):
         self.assertIn("not a channel flow: its series are in statistics.h5", " ".join(table.split()))
         self.assertNotIn("READING", table)
 
+    def test_the_spectrum_of_its_interface_peaks_at_its_frequency(self):
+        document = coarsened(1)
+        document["sweep"]["list"] = document["sweep"]["list"][:1]
+        document["run"] = {"end_time": 20}
+        campaign = self.campaign(document)
+        self.run_to_end(campaign)
+        program = ("import sys, h5py, numpy as np; sys.path.insert(0, sys.argv[1]); import wave_spectrum\n"
+                   "waves = h5py.File(sys.argv[2])['interface_waves']; t = waves['time'][:]\n"
+                   "w, E = wave_spectrum.space_time_spectrum(t, waves['real'][:] + 1j * waves['imaginary'][:], t[0], t[-1] - t[0])\n"
+                   "print(w[1] - w[0], *sorted(w[np.argsort(E[:, 0])[-2:]]), E[:, 1:].max() / E[:, 0].max())")
+        (file,) = campaign.folder.glob("cases/*/spectra.h5")
+        found = subprocess.run(["/usr/bin/python3", "-c", program, ROOT / "analysis", file], capture_output=True, text=True,
+                               check=False)
+        self.assertEqual(found.returncode, 0, found.stderr)
+        width, upstream, downstream, others = map(float, found.stdout.split())
+        exact = document["sweep"]["list"][0]["frequency"]
+        self.assertLess(abs(downstream - exact), width)  # a standing wave is one of each
+        self.assertLess(abs(upstream + exact), width)
+        self.assertLess(others, 1e-3)
+
     def test_a_rate_of_other_layers_is_refused_before_anything_runs(self):
         document = coarsened(1)
         document["physics"]["solid"] = {"G": 2}
