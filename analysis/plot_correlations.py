@@ -89,9 +89,10 @@ def main():
     for panel, name in zip(rows[:, 0], "uvw"):
         panel.set_ylabel(rf"${name}'$:  $y/h$")
     figure.colorbar(shades, ax=rows.ravel().tolist(), shrink=0.5, ticks=[0, 0.25, 0.5, 0.75, 1], label=r"$R_{ii}$")
+    few = "" if all(isinstance(source, FromSpectra) for source in found) else " Few moments leave large separations uncertain."
     grids = grids_of(source.case for source in found)
     save(figure, options, __file__, f"Grid {grids}. Lines: -0.1 (thin), 0.1, 0.3, 0.5, 0.7, 0.9 (thick); blue: the mean "
-                                    "interface. Few moments leave large separations uncertain.")
+                                    f"interface.{few}")
 
 
 if __name__ == "__main__":

@@ -3,17 +3,17 @@
 what the solver has summed in the averaging window."""
 
 from campaign_data import arguments, grids_of, plt, read_campaign, save
-from spectra_data import read_spectra
+from spectra_data import read_spectra, show_decades
 
 import numpy as np
 
-DECADES = 8  # below the largest value of a spectrum
 RMS_SHOWN = 5  # of the height, on either side
 
 
 def spectrum(spectra, axis):
     """k > 0 and E of the height."""
-    return spectra.wave_numbers(axis)[1:], spectra.spectrum(axis, "eta")[1:]
+    shown = spectra.whole_bins(axis)
+    return spectra.wave_numbers(axis)[shown], spectra.spectrum(axis, "eta")[shown]
 
 
 def density(spectra):
@@ -27,12 +27,13 @@ def density(spectra):
 
 def draw_spectra(panels, found):
     for axis, panel in zip("xz", panels):
-        largest = 0
+        drawn = []
         for case, spectra in found:
             k, E = spectrum(spectra, axis)
             case.draw(panel, k, E, label=case.name)
-            largest = max(largest, E.max())
-        panel.set(xscale="log", yscale="log", ylim=(largest / 10**DECADES, 3 * largest), xlabel=rf"$k_{axis}h$",
+            drawn.append(E)
+        show_decades(panel, drawn)
+        panel.set(xlabel=rf"$k_{axis}h$",
                   ylabel=rf"$E_{{\eta\eta}}(k_{axis})/h^3$", title=f"({'ab'['xz'.index(axis)]}) along {axis}")
 
 

@@ -3,13 +3,12 @@
 lies) and in the middle of the channel, from what the solver has summed in the averaging window."""
 
 from campaign_data import arguments, grids_of, plt, read_campaign, save
-from spectra_data import FIELDS, read_spectra
+from spectra_data import FIELDS, read_spectra, show_decades
 
 import numpy as np
 
 UNITS = {"u": "U_b^2h", "v": "U_b^2h", "w": "U_b^2h", "p": r"\rho^2U_b^4h"}
 NEAR_WALL = 0.15  # h below the interface
-DECADES = 8  # below the largest value of a panel
 
 
 def spectrum_at(spectra, axis, field, y):
@@ -17,17 +16,19 @@ def spectrum_at(spectra, axis, field, y):
     heights, rows = spectra.heights(field), spectra.spectrum(axis, field)
     above = int(np.clip(np.searchsorted(heights, y), 1, len(heights) - 1))
     share = (y - heights[above - 1]) / (heights[above] - heights[above - 1])
-    return spectra.wave_numbers(axis)[1:], ((1 - share) * rows[:, above - 1] + share * rows[:, above])[1:]
+    shown = spectra.whole_bins(axis)
+    return spectra.wave_numbers(axis)[shown], ((1 - share) * rows[:, above - 1] + share * rows[:, above])[shown]
 
 
 def draw(panel, found, axis, field):
-    largest = 0
+    drawn = []
     for case, spectra in found:
         for y, width, label in ((case.interface_y - NEAR_WALL, 1.3, case.name), (case.interface_y / 2, 0.5, None)):
             k, E = spectrum_at(spectra, axis, field, y)
             case.draw(panel, k, E, linewidth=width, label=label)
-            largest = max(largest, E.max())
-    panel.set(xscale="log", yscale="log", ylim=(largest / 10**DECADES, 3 * largest), xlabel=rf"$k_{axis}h$",
+            drawn.append(E)
+    show_decades(panel, drawn)
+    panel.set(xlabel=rf"$k_{axis}h$",
               ylabel=rf"$E_{{{2 * field}}}(k_{axis})/({UNITS[field]})$")
 
 
