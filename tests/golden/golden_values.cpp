@@ -60,6 +60,8 @@ json checkpoint_in(const std::filesystem::path& file, const std::string& id) {
     const auto [nz, rows, nx] = checkpoint.extents(field);
     found[field] = {{"rows", rows}, {"sum", weighted_sum(checkpoint.columns(field, {0, nx, 0, nz}))}};
   }
+  for (const auto& [name, sums] : checkpoint.more_statistics())
+    found["statistics"][name] = weighted_sum(sums);
   return found;
 }
 
