@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "solver/case/file_descriptor.hpp"
 
@@ -23,9 +24,15 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
+/// A file that some library has written.
+struct OfAnother {
+  std::filesystem::path path;
+};
+
 /// Removes the temporary file unless it has become the real one.
 class TemporaryFile {
  public:
+  explicit TemporaryFile(OfAnother file) : path_(std::move(file.path)) {}
   explicit TemporaryFile(const std::filesystem::path& final_name) {
     static std::atomic<unsigned> counter{0};  // two threads of one process may write the same file
     path_ = folder_of(final_name) / ("." + final_name.filename().string() + ".tmp-" +
@@ -77,10 +84,30 @@ bool link_as_new(const std::filesystem::path& source, const std::filesystem::pat
 
 }  // namespace
 
+bool is_trouble_of_disk(const std::error_code& error) {
+  switch (error.default_error_condition().value()) {
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+    case EIO:
+    case EROFS:
+      return true;
+    default:
+      return false;
+  }
+}
+
 void sync_directory(const std::filesystem::path& directory) {
   const FileDescriptor folder(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!folder) fail("open the folder", directory);
   if (::fsync(folder.get()) != 0) fail("sync the folder", directory);
+}
+
+void sync_file(const std::filesystem::path& file) {
+  const FileDescriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!descriptor) fail("open", file);
+  if (::fsync(descriptor.get()) != 0) fail("sync", file);
+  sync_directory(folder_of(file));
 }
 
 void write_atomically(const std::filesystem::path& file, std::string_view contents, Durability durability) {
@@ -105,10 +132,12 @@ void begin_write_out(int descriptor) {
 }
 
 void publish_file(const std::filesystem::path& temporary, const std::filesystem::path& file) {
+  TemporaryFile unpublished{OfAnother{temporary}};
   const FileDescriptor descriptor(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
   if (!descriptor) fail("open", temporary);
   if (::fsync(descriptor.get()) != 0) fail("sync", temporary);
   if (::rename(temporary.c_str(), file.c_str()) != 0) fail("replace", file);
+  unpublished.release();
   sync_directory(folder_of(file));
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 
 /// Writing files that matter: a reader, also after a crash, finds the old file or the new one, never half of
 /// one. Temporary file in the same folder, fsync, rename, fsync of the folder. Errors throw std::system_error
@@ -27,6 +28,13 @@ void publish_file(const std::filesystem::path& temporary, const std::filesystem:
 /// Asks the kernel to begin writing out what it holds of an open file, and does not wait: a later fsync has
 /// less to wait for. No more than a hint, so that failing is no error.
 void begin_write_out(int descriptor);
+
+/// Whether an error is one of the disk, or of what a user may write there, and so may pass: no space or quota
+/// left, a limit on the size of files, an I/O error, a file system that can only be read.
+[[nodiscard]] bool is_trouble_of_disk(const std::error_code& error);
+
+/// fsync a file that somebody else has written, and its folder.
+void sync_file(const std::filesystem::path& file);
 
 /// fsync a folder, so that creations, renames and removals in it survive a power loss.
 void sync_directory(const std::filesystem::path& directory);

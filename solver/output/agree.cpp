@@ -1,14 +1,21 @@
 #include "solver/output/agree.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <limits>
 #include <optional>
 #include <system_error>
+#include <thread>
+
+#include "solver/case/atomic_file.hpp"
 
 namespace softwall::output {
 
 namespace {
+
+/// How long a rank that gives up leaves the word to rank 0, which may have failed for the same reason.
+constexpr std::chrono::milliseconds kForRankZero{500};
 
 std::string broadcast(const parallel::Communicator& all, std::string text, int root) {
   auto size = static_cast<int>(text.size());
@@ -28,12 +35,8 @@ ExitCode exit_code_of(const std::exception& error, ExitCode otherwise) {
   if (const auto* agreed = dynamic_cast<const AgreedError*>(&error)) return agreed->code;
   const auto* system = dynamic_cast<const std::system_error*>(&error);
   if (system == nullptr) return otherwise;
+  if (is_trouble_of_disk(system->code())) return ExitCode::kIoFailure;
   switch (system->code().default_error_condition().value()) {
-    case ENOSPC:
-    case EDQUOT:
-    case EFBIG:
-    case EIO:
-    case EROFS:
     case EACCES:
     case EPERM:
     case ENOENT:
@@ -69,12 +72,10 @@ void agree_on_root(const parallel::Communicator& all, ExitCode code, const std::
 }
 
 void abort_all(const parallel::Communicator& all, ExitCode code, const std::string& message) {
-  if (all.rank() == 0) {
-    std::fprintf(stderr, "softwall-dns: %s\n", message.c_str());
-    std::fflush(stderr);
-    MPI_Abort(all.get(), static_cast<int>(code));
-  }
-  MPI_Barrier(all.get());
+  if (all.rank() != 0) std::this_thread::sleep_for(kForRankZero);
+  std::fprintf(stderr, "softwall-dns: rank %d: %s\n", all.rank(), message.c_str());
+  std::fflush(stderr);
+  MPI_Abort(all.get(), static_cast<int>(code));
   std::_Exit(static_cast<int>(code));  // not reached; the compiler cannot know
 }
 

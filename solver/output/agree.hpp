@@ -31,8 +31,8 @@ void agree_on_root(const parallel::Communicator& all, ExitCode code, const std::
 /// The exit code that tells the manager what to do about this exception: disk full and its like are 75.
 [[nodiscard]] ExitCode exit_code_of(const std::exception& error, ExitCode otherwise);
 
-/// For errors after which a parallel file cannot even be closed. Called by all ranks: rank 0 prints the
-/// message and ends the program with MPI_Abort, the others wait for that.
+/// For an error of this rank in the middle of what others wait for inside a library, where no agreement
+/// reaches them: prints the message and ends all ranks with MPI_Abort. Where all have failed, rank 0 speaks.
 [[noreturn]] void abort_all(const parallel::Communicator& all, ExitCode code, const std::string& message);
 
 }  // namespace softwall::output

@@ -20,12 +20,17 @@ struct Label {
   std::string description;
 };
 
-/// A new HDF5 file that all ranks write together. All functions are collective. After every HDF5 call the
-/// ranks agree whether it worked; if it did not on any, one of them says so and MPI_Abort(75) ends the
-/// program: closing a parallel file after an error hangs or crashes (HDF5 1.10.8, measured), and a file that
-/// is not published is not missed.
+/// A new HDF5 file that all ranks write together. All functions are collective. A rank on which a call fails
+/// removes the file, says so, and ends the program with MPI_Abort(75): the others may wait for it inside
+/// HDF5, where no agreement reaches them, closing a parallel file after an error hangs or crashes (HDF5
+/// 1.10.8, measured), and a file that is not published is not missed. What a rank writes on its
+/// own, metadata, is seen to at once: after a failure HDF5 goes on to collective calls that the others never
+/// come to (H5Fflush and H5Fclose, measured). One file at a time.
 class ParallelFile {
  public:
+  /// What MPI is asked to write by this rank alone, and wrote: gives up where that is less.
+  static void require_written(std::int64_t asked, std::int64_t written);
+
   /// Creates `path` (which is replaced) with `user_block` bytes (0, or a power of two from 512) in front.
   ParallelFile(std::filesystem::path path, const parallel::Communicator& all, std::int64_t user_block);
 
@@ -44,6 +49,7 @@ class ParallelFile {
 
  private:
   struct Selection;
+  [[noreturn]] void give_up(const std::string& what, const std::string& reason) const;
   void step(const std::string& what, const std::function<void()>& work);
   void write(const Label& label, hid_t type, const Selection& selection, const void* data);
 
