@@ -43,6 +43,22 @@ std::string header_check(const json& object) {
   return hexadecimal(digest_piece(std::as_bytes(std::span(text))));
 }
 
+/// The header as it stands in the file.
+std::string header_block(const json& object) {
+  std::string text = canonical_text(object);
+  if (text.size() >= kCheckpointHeaderBytes)
+    throw std::length_error("checkpoint header does not fit its block");
+  text.resize(kCheckpointHeaderBytes - 1, ' ');
+  return text + '\n';
+}
+
+/// A changed byte is damage also where it leaves the values alone, 1E-05 for 1e-05.
+json header_object(const std::string& text, const std::filesystem::path& file) {
+  const json object = parse_json(text, file.string());
+  if (!object.is_object() || text != header_block(object)) throw std::runtime_error("its header is damaged");
+  return object;
+}
+
 CheckpointHeader header_from(json object) {
   const std::string check = object.at("check");
   object.erase("check");
@@ -112,15 +128,13 @@ void verify(const std::filesystem::path& file, const std::string& case_id, Check
     throw std::runtime_error("its contents do not match the digest in its header");
 }
 
-/// Returns the step in the header, or -1 for a damaged one, so that it comes last. Where the file cannot be
-/// read just now, the step in its name is taken.
-std::int64_t step_or_minus_one(const std::filesystem::path& file) {
+/// The step in the header, or that in the name where the header is damaged or cannot be read: a damaged one
+/// that came last would be passed over without a word.
+std::int64_t step_of(const std::filesystem::path& file) {
   try {
     return read_checkpoint_header(file).step;
-  } catch (const std::system_error&) {
-    return step_in_name(file).value_or(-1);
   } catch (const std::runtime_error&) {
-    return -1;
+    return step_in_name(file).value_or(-1);
   }
 }
 
@@ -134,16 +148,12 @@ std::string format_header(const CheckpointHeader& header) {
                  {"length", header.length},       {"git_revision", header.git_revision},
                  {"attempt", header.attempt},     {"ranks", header.ranks}};
   object["check"] = header_check(object);
-  std::string text = canonical_text(object);
-  if (text.size() >= kCheckpointHeaderBytes)
-    throw std::length_error("checkpoint header does not fit its block");
-  text.resize(kCheckpointHeaderBytes - 1, ' ');
-  return text + '\n';
+  return header_block(object);
 }
 
 CheckpointHeader read_checkpoint_header(const std::filesystem::path& file) {
   try {
-    return header_from(parse_json(header_text(file), file.string()));
+    return header_from(header_object(header_text(file), file));
   } catch (const BadInput&) {
     throw std::runtime_error("its header is damaged");
   } catch (const json::exception&) {
@@ -173,7 +183,7 @@ std::vector<std::filesystem::path> checkpoint_ladder(const RunFiles& run) {
   if (error && error != std::errc::no_such_file_or_directory)
     throw std::system_error(error, run.checkpoints().string() + " cannot be read");
   for (const auto& entry : folder)
-    if (step_in_name(entry.path())) found.emplace_back(step_or_minus_one(entry.path()), entry.path());
+    if (step_in_name(entry.path())) found.emplace_back(step_of(entry.path()), entry.path());
   std::sort(found.rbegin(), found.rend());
   std::vector<std::filesystem::path> files;
   for (auto& [step, file] : found) files.push_back(std::move(file));

@@ -50,9 +50,9 @@ struct CheckpointVerdict {
 [[nodiscard]] CheckpointVerdict verify_checkpoint(const std::filesystem::path& file,
                                                   const std::string& case_id);
 
-/// The checkpoints of a run directory, newest first by the step in their headers (file times prove nothing);
-/// those with a damaged header last. Other files are ignored; no folder means no checkpoints. Throws
-/// std::system_error when the folder cannot be read.
+/// The checkpoints of a run directory, newest first by the step in their headers (file times prove nothing),
+/// or in their names where the header is damaged. Other files are ignored; no folder means no checkpoints.
+/// Throws std::system_error when the folder cannot be read.
 [[nodiscard]] std::vector<std::filesystem::path> checkpoint_ladder(const RunFiles& run);
 
 /// Writes the header over the first 4096 bytes of an existing file (a temporary, not yet published one).

@@ -123,6 +123,17 @@ TEST_F(Checkpoint, AnyFlippedBitIsNoticed) {
   }
 }
 
+TEST_F(Checkpoint, AHeaderThatOnlyLooksDifferentIsNoticed) {
+  const auto file = run_.checkpoint(1);
+  CheckpointHeader header = example();
+  header.time = 1e-7;
+  write_checkpoint(file, "data", header);
+  std::string damaged = bytes_of(file);
+  damaged[damaged.find("1e-07") + 1] = 'E';  // one bit
+  rewrite(file, damaged);
+  EXPECT_NE(refusal(file), "");
+}
+
 TEST_F(Checkpoint, AnyOtherLengthIsNoticed) {
   const auto file = run_.checkpoint(1);
   write_checkpoint(file, random_bytes(500));
@@ -161,12 +172,12 @@ TEST_F(Checkpoint, LadderIsNewestFirstByContent) {
   write_checkpoint(run_.checkpoint(100), "a", example(100));
   write_checkpoint(run_.checkpoint(300), "c", example(300));
   write_checkpoint(run_.checkpoint(200), "b", example(900));  // its name lies, its content decides
-  rewrite(run_.checkpoint(999), "nonsense");
+  rewrite(run_.checkpoint(999), "nonsense");                  // only its name is left
   rewrite(run_.checkpoints() / "checkpoint-000000400.h5.tmp", "left by a crash");
   rewrite(run_.checkpoints() / "checkpoint-00000400.h5", "eight digits");
   rewrite(run_.checkpoints() / ".checkpoint-000000400.h5", "hidden");
-  const std::vector<std::filesystem::path> wanted{run_.checkpoint(200), run_.checkpoint(300),
-                                                  run_.checkpoint(100), run_.checkpoint(999)};
+  const std::vector<std::filesystem::path> wanted{run_.checkpoint(999), run_.checkpoint(200),
+                                                  run_.checkpoint(300), run_.checkpoint(100)};
   EXPECT_EQ(checkpoint_ladder(run_), wanted);
   EXPECT_EQ(run_.checkpoint(1234).filename(), "checkpoint-000001234.h5");
 }
