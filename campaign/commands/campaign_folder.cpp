@@ -49,12 +49,13 @@ fs::path folder_of(const fs::path& path) {
 LoadedCampaign load_campaign(const fs::path& path) {
   require_current_folder(path);
   const fs::path file = campaign_file(path);
-  LoadedCampaign loaded{read_campaign(file), folder_of(file), {}};
+  LoadedCampaign loaded{read_campaign(file), folder_of(file), {}, {}};
   const CaseDirectories directories = existing_directories(loaded.folder);
   if (const auto existing = existing_cases(loaded.campaign, loaded.folder, directories); !existing.empty())
     loaded.campaign = read_campaign(file, existing);
   Execution& execution = loaded.campaign.execution;
   execution.cores = cores_to_use(execution.cores, *make_launcher(execution));
+  loaded.file = loaded.folder / file.filename();
   loaded.named = file.filename() == kCampaignFile ? loaded.folder : loaded.folder / file.filename();
   keep_existing_directories(loaded.campaign, loaded.folder, directories);
   return loaded;

@@ -14,6 +14,7 @@ struct LoadedCampaign {
   std::filesystem::path folder;
   std::filesystem::path named;  ///< absolute; what means this campaign on a command line: its folder, or the
                                 ///< campaign file where that is not campaign.json
+  std::filesystem::path file;   ///< absolute
 };
 
 /// From a campaign file, or from a folder with a campaign.json. Throws BadInput.

@@ -1,4 +1,5 @@
 #include <iostream>
+#include <system_error>
 
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
@@ -14,6 +15,7 @@
 #include "campaign/store/text_width.hpp"
 #include "campaign/system/shell_words.hpp"
 #include "campaign/tables/closing_table.hpp"
+#include "solver/case/atomic_file.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/run_directory/run_files.hpp"
 
@@ -108,6 +110,16 @@ ExitStatus run_with_store(const LoadedCampaign& loaded, const RunOptions& option
   return status_of(report);
 }
 
+/// Whoever has just written it may not have waited for the disk: after a power loss there would be results,
+/// and no campaign. No more than a precaution, so that failing is no error.
+void keep_campaign_file(const LoadedCampaign& loaded) {
+  try {
+    sync_file(loaded.file);
+  } catch (const std::system_error&) {
+    return;
+  }
+}
+
 }  // namespace
 
 /// A store that is damaged, also while the campaign runs, costs nobody a step: it is set aside, and made
@@ -116,6 +128,7 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   const LoadedCampaign loaded = load_campaign(path);
   require_writable(loaded.folder);
   CampaignLock lock(loaded.folder);
+  keep_campaign_file(loaded);
   sweep_unfinished_stores(loaded.folder);
   std::string damage;
   try {

@@ -96,7 +96,7 @@ struct Meaning {
 Meaning meaning_of(int exit_code) {
   switch (exit_code) {
     case static_cast<int>(ExitCode::kIoFailure):
-      return {AttemptOutcome::kIoFailure, "disk full or I/O error"};
+      return {AttemptOutcome::kIoFailure, "solver.log says where"};
     case static_cast<int>(ExitCode::kDiverged):
       return {AttemptOutcome::kDiverged, "the solution diverged"};
     case static_cast<int>(ExitCode::kCheckpointRefused):

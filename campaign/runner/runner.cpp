@@ -14,6 +14,7 @@
 #include "campaign/runner/wording.hpp"
 #include "campaign/store/import_results.hpp"
 #include "campaign/system/clock.hpp"
+#include "solver/case/atomic_file.hpp"
 #include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
@@ -72,7 +73,11 @@ RunnerReport Runner::run() {
   } catch (const SqliteError& error) {
     end_all();
     if (!error.may_pass()) throw;
-    return pause_for_store(error);
+    return pause_all(std::string("the results store cannot be written: ") + error.what());
+  } catch (const std::system_error& error) {
+    end_all();
+    if (!is_trouble_of_disk(error.code())) throw;
+    return pause_all(error.what());
   } catch (...) {
     end_all();
     throw;
@@ -112,8 +117,7 @@ bool Runner::wait_for_store() {
 }
 
 /// Nothing is lost: the run directories are the truth, and the next run records from them.
-RunnerReport Runner::pause_for_store(const SqliteError& error) {
-  const std::string reason = std::string("the results store cannot be written: ") + error.what();
+RunnerReport Runner::pause_all(const std::string& reason) {
   progress_.event("paused: " + reason, Progress::Kind::kBad);
   book_.pause_unfinished("paused: " + reason);
   return report();

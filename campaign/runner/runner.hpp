@@ -77,7 +77,7 @@ class Runner {
   void end_all();
   [[nodiscard]] RunnerReport leave();
   [[nodiscard]] bool wait_for_store();
-  [[nodiscard]] RunnerReport pause_for_store(const SqliteError& error);
+  [[nodiscard]] RunnerReport pause_all(const std::string& reason);
   void keep_history(const CampaignCase& one);
   void show_progress();
   [[nodiscard]] RunnerReport report() const;
