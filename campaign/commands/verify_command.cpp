@@ -49,7 +49,9 @@ std::string trouble_with_json(const std::filesystem::path& file, std::string_vie
 
 /// case.json is the case that it says to be, and the one that this directory is for.
 std::string trouble_with_case(const RunFiles& run, const std::string& case_id) {
-  if (!std::filesystem::exists(run.case_file())) return "is missing";
+  // Where the disk was full the first time, the folder is all that there is.
+  if (!std::filesystem::exists(run.case_file()))
+    return std::filesystem::exists(run.run_record()) || !checkpoint_ladder(run).empty() ? "is missing" : "";
   if (auto trouble = trouble_with_json(run.case_file(), schemas::kCaseSchema); !trouble.empty())
     return trouble;
   try {
@@ -81,6 +83,14 @@ bool has_handle(Store& store, const std::string& case_id) {
   return row.step() && !row.is_null(0);
 }
 
+/// What a damaged checkpoint means for a case that has finished, of which nobody reads it unasked.
+std::string meaning_for_finished(const CampaignCase& one, bool another_is_good) {
+  if (!another_is_good) return "; the case has finished and its results stand, but it could not go on";
+  if (one.is_precursor)
+    return "; the next case that starts from it makes softwall run compute it again from the one before";
+  return "; the case has finished and its results stand; with a later end time it goes on from another one";
+}
+
 /// An attempt that ends in order writes a checkpoint of the step that its summary tells.
 std::string trouble_with_newest(const RunFiles& run, const std::string& case_id) {
   const auto summary = read_summary(run, case_id);
@@ -106,12 +116,7 @@ class Verification {
     const auto tell = [&](const std::filesystem::path& file, const std::string& trouble) {
       findings_.add(one.directory + "/" + file.lexically_relative(run.directory).string(), trouble);
     };
-    for (const auto& file : checkpoint_ladder(run)) {
-      const CheckpointVerdict verdict = verify_checkpoint(file, id);
-      // The solver at work removes the oldest whenever it has written one.
-      if (!verdict.valid && busy && !std::filesystem::exists(file)) continue;
-      tell(file, verdict.valid ? "" : verdict.reason);
-    }
+    check_checkpoints(one, run, busy, tell);
     tell(run.case_file(), trouble_with_case(run, id));
     if (std::filesystem::exists(run.status()))
       tell(run.status(), trouble_with_json(run.status(), schemas::kStatusSchema));
@@ -120,6 +125,25 @@ class Verification {
   }
 
  private:
+  template <class Tell>
+  void check_checkpoints(const CampaignCase& one, const RunFiles& run, bool busy, const Tell& tell) {
+    std::vector<std::pair<std::filesystem::path, std::string>> damaged;
+    bool one_is_good = false;
+    for (const auto& file : checkpoint_ladder(run)) {
+      const CheckpointVerdict verdict = verify_checkpoint(file, one.definition.id);
+      // The solver at work removes the oldest whenever it has written one.
+      if (!verdict.valid && busy && !std::filesystem::exists(file)) continue;
+      one_is_good = one_is_good || verdict.valid;
+      if (verdict.valid)
+        tell(file, "");
+      else
+        damaged.emplace_back(file, verdict.reason);
+    }
+    const bool done = !busy && !damaged.empty() && observe_files(one, run).state == CaseState::kFinished;
+    for (const auto& [file, reason] : damaged)
+      tell(file, reason + (done ? meaning_for_finished(one, one_is_good) : ""));
+  }
+
   /// Compares files that agree only while nobody writes.
   template <class Tell>
   void check_at_rest(const CampaignCase& one, const RunFiles& run, const Tell& tell) {

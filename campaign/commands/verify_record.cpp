@@ -57,7 +57,8 @@ std::string difference_of_attempt(const Store& store, const CampaignCase& one, c
   if (attempts.empty() || attempts.back().attempt != summary->attempt) {
     const bool older = !attempts.empty() && attempts.back().attempt > summary->attempt;
     if (older) return "";  // the newest attempt left no summary
-    return "is of attempt " + std::to_string(summary->attempt) + ", which the store does not know";
+    return "is of attempt " + std::to_string(summary->attempt) +
+           ", of whose end the store does not know; softwall run records it";
   }
   const PastAttempt& stored = attempts.back();
   const AttemptEnd told = describe_end(one, run, summary->attempt);
@@ -67,7 +68,8 @@ std::string difference_of_attempt(const Store& store, const CampaignCase& one, c
   if (in_order && stored.end.exit_code && is_of_the_solver(*stored.end.exit_code, *summary) &&
       stored.end.exit_code != summary->exit_code)
     return "tells another exit status than the store";
-  if (in_order && !summary->checkpoint.empty() &&
+  const bool wrote_its_last_step = summary->outcome == "finished" || summary->outcome == "interrupted";
+  if (in_order && wrote_its_last_step && !summary->checkpoint.empty() &&
       run.directory / summary->checkpoint != run.checkpoint(summary->step))
     return "names another checkpoint than that of its step";
   if (summary->end_time != end_time_in_case_file(run)) return "tells another end time than case.json";
