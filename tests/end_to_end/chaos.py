@@ -11,6 +11,7 @@ import tempfile
 import time
 from collections import Counter
 
+from failing_io import LIBRARY, FailingIo
 from faults import FAULTS
 from harness import CAMPAIGN, Campaign, OneSolverOnly, changed
 
@@ -37,12 +38,15 @@ class Trial:
         mount = ["mount", "-t", "tmpfs", "-o", f"size={DISK}", "softwall-chaos", str(self.campaign.folder)]
         self.disk = subprocess.run(mount, capture_output=True, check=False).returncode == 0
         self.campaign.write(DOCUMENT)
+        self.failing = FailingIo(self.campaign) if LIBRARY.exists() else None
         self.damaged = set()  # checkpoints
         self.acknowledged = {}  # results of finished cases that the store has told of, by case id
         self.runner = None
 
     def remove(self):
         self.campaign.kill_all(self.runner)
+        if self.failing:
+            self.failing.end()
         if self.disk:
             subprocess.run(["umount", "-l", str(self.campaign.folder)], capture_output=True, check=False)
         self.campaign.remove()

@@ -254,10 +254,31 @@ def fill_the_disk(trial, random):
     return "disk full for a while"
 
 
+def let_calls_for_files_fail(trial, random):
+    """Of one kind, on one rank or in softwall, some or all for a while."""
+    if trial.failing is None:
+        return None  # built without tests
+    program, rank, path = random.choice([
+        ("softwall-dns", 0, "/checkpoints/"), ("softwall-dns", 1, "/checkpoints/"), ("softwall-dns", 0, "statistics.h5"),
+        ("softwall-dns", 0, "summary.json"), ("softwall-dns", 0, "status.json"), ("softwall", "-", "results.db"),
+        ("softwall", "-", "run.json"), ("softwall", "-", "history.json"), ("softwall", "-", "case.json"),
+        ("softwall", "-", "manager.log")])
+    call, error = random.choice(["write", "write", "sync", "rename", "create"]), random.choice(["ENOSPC", "EIO", "EDQUOT"])
+    if call == "write" and random.random() < 0.3:
+        error = "SHORT"
+    first, count = random.choice([1, 1, 2, 5, 11]), random.choice([1, 1000000])
+    trial.failing.begin(program, rank, call, error, path, first, count)
+    end = time.monotonic() + random.uniform(0.5, 2)
+    while time.monotonic() < end and not trial.failing.log.exists():
+        time.sleep(0.02)
+    failed = trial.failing.end()
+    return f"{error} from {len(failed)} calls to {call} {path} in {program} {rank}" if failed else None
+
+
 # What is named twice strikes twice as often.
 FAULTS = [
     kill_one, kill_one, kill_one, terminate_one, terminate_one, stop_one_for_a_while, kill_the_runner, kill_everything,
     ask_to_stop, second_manager, two_managers_at_once, damage_the_newest_checkpoint, damage_the_newest_checkpoint,
     make_a_checkpoint_unreadable, damage_the_store, damage_the_store_at_work, lose_statistics, lose_statistics,
-    lose_a_summary, fill_the_disk,
+    lose_a_summary, fill_the_disk, let_calls_for_files_fail, let_calls_for_files_fail, let_calls_for_files_fail,
 ]

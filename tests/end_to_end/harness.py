@@ -67,6 +67,7 @@ class Campaign:
     """A campaign in a folder of its own."""
 
     def __init__(self, document=CAMPAIGN):
+        self.environment = None  # of every softwall: that of the test
         self.folder = Path(tempfile.mkdtemp(prefix="softwall-e2e-")).resolve()
         self.write(document)
 
@@ -84,10 +85,12 @@ class Campaign:
         return [str(SOFTWALL), name, str(self.folder), *more]
 
     def call(self, name, *more, **options):
+        options = {"env": self.environment, **options}
         return subprocess.run(self.command(name, *more), capture_output=True, text=True, timeout=WAIT, **options)
 
     def start(self, name="run", *more, **options):
         """softwall in the background; what it says goes to runner.err beside the campaign."""
+        options = {"env": self.environment, **options}
         with open(f"{self.folder}.err", "a") as err:
             return subprocess.Popen(
                 self.command(name, *more), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=err, **options
