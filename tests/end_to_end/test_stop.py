@@ -2,6 +2,7 @@
 
 import os
 import signal
+import subprocess
 import time
 import unittest
 
@@ -66,6 +67,33 @@ class Stop(EndToEndTest):
             self.assertIn(os.uname().nodename, answer.stderr)
         self.assertEqual(campaign.states()["precursor"], "running", "reading is always possible")
         self.assertEqual(campaign.call("query", "SELECT * FROM cases").returncode, 0)
+
+    def test_of_twenty_at_once_one_runs_and_the_others_say_who(self):
+        """Every other one seen from another host name, where that can be had."""
+        elsewhere = ["unshare", "--uts", "sh", "-c", 'hostname "$0" && exec "$@"']
+        can = subprocess.run([*elsewhere, "elsewhere", "true"], capture_output=True, check=False).returncode == 0
+        campaign = self.campaign(LONG)
+        all_of_them, hosts = [], {}
+        for number in range(20):
+            host = f"elsewhere-{number}" if can and number % 2 else None
+            command = [*elsewhere, host, *campaign.command("run")] if host else campaign.command("run")
+            one = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            self.addCleanup(one.stderr.close)
+            self.addCleanup(one.wait)
+            self.addCleanup(one.kill)
+            all_of_them.append(one)
+            hosts[one.pid] = host or os.uname().nodename
+        campaign.wait_for(lambda: sum(one.poll() is None for one in all_of_them) <= 1, "nineteen to leave", 60)
+        (runner,) = [one for one in all_of_them if one.poll() is None]
+        for one in all_of_them:
+            if one is not runner:
+                said = one.stderr.read()
+                self.assertEqual(one.returncode, 5, said)
+                self.assertIn(f"softwall on {hosts[runner.pid]}, process {runner.pid},", said)
+        self.assertIn(f"process {runner.pid}", campaign.call("status").stdout + campaign.call("run").stderr)
+        campaign.wait_for_checkpoint("precursor")
+        runner.send_signal(signal.SIGINT)
+        self.assertEqual(runner.wait(60), 4)
 
     def test_a_hanging_solver_is_noticed_and_replaced(self):
         campaign = self.campaign(LONG)
