@@ -86,7 +86,7 @@ bool has_handle(Store& store, const std::string& case_id) {
 /// What a damaged checkpoint means for a case that has finished, of which nobody reads it unasked.
 std::string meaning_for_finished(const CampaignCase& one, bool another_is_good) {
   if (!another_is_good) return "; the case has finished and its results stand, but it could not go on";
-  if (one.is_precursor)
+  if (one.starts_others)
     return "; the next case that starts from it makes softwall run compute it again from the one before";
   return "; the case has finished and its results stand; with a later end time it goes on from another one";
 }

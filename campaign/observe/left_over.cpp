@@ -8,9 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/core/label.hpp"
+#include "campaign/core/parameters.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "solver/case/bad_input.hpp"
+#include "solver/case/json_text.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -68,6 +70,24 @@ std::vector<std::string> differences(const std::map<std::string, json>& was,
   return found;
 }
 
+/// The values of a case for what varies among the cases of its kind now: what varied when it was asked for
+/// stands in no folder.
+std::string varied_as_in(const Campaign& campaign, const CampaignCase& left_over) {
+  const auto like = std::ranges::find_if(campaign.cases, [&](const CampaignCase& one) {
+    return one.is_precursor == left_over.is_precursor && one.varied != "{}";
+  });
+  if (like == campaign.cases.end()) return "{}";
+  const json physics = normalised(to_json(left_over.definition).at("physics"));
+  auto values = nlohmann::ordered_json::object();
+  const auto varied = nlohmann::ordered_json::parse(like->varied);
+  for (const auto& [name, value] : varied.items()) {
+    const Parameter* const parameter = find_parameter(name);
+    if (parameter != nullptr && physics.contains(parameter->pointer))
+      values[name] = physics.at(parameter->pointer);
+  }
+  return values.dump();
+}
+
 }  // namespace
 
 std::vector<CampaignCase> left_over_cases(const Campaign& campaign, const std::filesystem::path& folder) {
@@ -95,6 +115,7 @@ std::vector<CampaignCase> left_over_cases(const Campaign& campaign, const std::f
     one.is_precursor = precursors.contains(one.definition.id);
     one.starts_others = starting.contains(one.definition.id);
     if (!one.starts_others) one.until = campaign.until;
+    one.varied = varied_as_in(campaign, one);
   }
   std::ranges::sort(found, [](const CampaignCase& a, const CampaignCase& b) {
     return std::pair(!a.is_precursor, a.directory) < std::pair(!b.is_precursor, b.directory);

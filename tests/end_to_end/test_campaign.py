@@ -204,6 +204,26 @@ class Extension(EndToEndTest):
         self.run_to_end(reference)
         self.assert_same_outcome(short, reference)
 
+    def test_a_damaged_last_checkpoint_costs_a_finished_case_nothing(self):
+        short = self.campaign(changed(CAMPAIGN, sweep={"list": [{"G": 1}]}, run={"end_time": 0.3, "checkpoint_steps": 20}))
+        self.run_to_end(short)
+        results, (newest, before) = short.results(), short.checkpoints("G=1")
+        newest.write_bytes(newest.read_bytes()[:-1])
+        told = short.call("verify")
+        self.assertEqual(told.returncode, 3)
+        self.assertIn("its results stand; with a later end time it goes on from another one", told.stdout)
+        self.run_to_end(short)
+        self.assertEqual(short.results(), results)
+        long = changed(CAMPAIGN, sweep={"list": [{"G": 1}]})
+        short.write(long)
+        self.run_to_end(short)
+        (last,) = short.query("SELECT resumed_from FROM attempts ORDER BY started DESC LIMIT 1")
+        self.assertEqual(last["resumed_from"], f"checkpoints/{before.name}")
+        reference = self.campaign(long)
+        self.run_to_end(reference)
+        self.assert_same_outcome(short, reference)
+        self.assert_sound(short)
+
     def test_a_wider_sweep_keeps_the_cases_it_has(self):
         campaign = self.campaign(changed(CAMPAIGN, sweep={"list": [{"G": 1}]}))
         self.run_to_end(campaign)

@@ -2,7 +2,9 @@
 
 import contextlib
 import json
+import os
 import shutil
+import signal
 import sqlite3
 import subprocess
 import unittest
@@ -23,6 +25,33 @@ RIGID = {
     "run": {"end_time": 1, "field_interval": 0.1},
     "execution": {"ranks": 1, "cores": 1},
 }
+
+SWEEP = changed(
+    RIGID,
+    physics={"grid": {"nx": 16, "ny_fluid": 16, "ny_solid": 4, "nz": 8}, "domain": {"length_x": 2, "length_z": 1},
+             "time_step": {"fixed_dt": 0.002}, "statistics": {"interval_steps": 5, "block_length": 0.1}},
+    sweep={"grid": {"G": [1, 4]}}, run={"end_time": 0.8, "checkpoint_steps": 20}, execution={"ranks": 1, "cores": 2})
+
+# Of each table of a store: the columns that say when the store itself learned of something, or how the launcher would
+# find an attempt that is over. No folder keeps them.
+OF_THE_STORE_ITSELF = {
+    "campaign": ("created", "updated"),
+    "cases": ("state_since", "created", "forgiven"),
+    "attempts": ("intended", "handle"),
+    "diagnostics": (),
+    "checkpoints": ("first_seen", "seen"),
+    "quantities": ("recorded",),
+}
+
+
+def stored(campaign):
+    """{table: rows} without those columns, and without checkpoints that are gone."""
+    tables = {}
+    for table, columns in OF_THE_STORE_ITSELF.items():
+        rows = campaign.query(f"SELECT * FROM {table}" + (" WHERE present" if table == "checkpoints" else ""))
+        kept = [{name: value for name, value in row.items() if name not in columns} for row in rows]
+        tables[table] = sorted(kept, key=lambda row: json.dumps(row, sort_keys=True))
+    return tables
 
 
 class RealUse(EndToEndTest):
@@ -95,6 +124,35 @@ class RealUse(EndToEndTest):
         self.assertFalse(left.name.endswith(old["case_id"][:8]))
         self.assertEqual(len(campaign.query("SELECT * FROM results_all")), 1)
         self.assertIn("Nothing is left over", campaign.call("clean").stdout)
+
+    def test_a_store_made_again_is_the_one_that_was_lost(self):
+        """After attempts that were killed and interrupted, a damaged checkpoint, and a case that was left over."""
+        campaign = self.campaign(SWEEP)
+        runner = campaign.start()
+        campaign.wait_for_checkpoint("G=1")
+        campaign.wait_for(lambda: len(campaign.checkpoints("G=1")) > 1, "another checkpoint")
+        (rank,) = [pid for pid, (name, place) in campaign.solvers().items() if name.startswith("softwall-dns") and "/G=1-" in place]
+        os.kill(rank, signal.SIGKILL)
+        campaign.wait_for(lambda: "attempt failed" in campaign.said(), "the end of an attempt")
+        runner.send_signal(signal.SIGINT)
+        self.assertIn(runner.wait(60), (0, 4), campaign.said())
+        self.run_to_end(campaign)
+        newest = campaign.checkpoints("G=1")[0]
+        newest.write_bytes(newest.read_bytes()[:-1])
+        campaign.write(changed(SWEEP, sweep={"grid": {"G": [1, 2]}}, run={"end_time": 0.9, "checkpoint_steps": 20}))
+        self.run_to_end(campaign, "resume")
+        self.assertEqual(len(list(campaign.folder.glob("cases/*/checkpoints/*.bad"))), 1)
+        before = stored(campaign)
+        self.assertEqual(len(before["cases"]), 3)
+        self.assertGreaterEqual(len(before["attempts"]), 4)
+        self.assertEqual([row["in_campaign"] for row in before["cases"]].count(0), 1)
+        for command in ("rebuild", "run"):
+            for file in campaign.folder.glob("results.db*"):
+                file.unlink()
+            self.run_to_end(campaign, command)
+            after = stored(campaign)
+            for table, rows in before.items():
+                self.assertEqual(after[table], rows, f"{table} after {command}")
 
     def test_an_output_that_cannot_be_written_is_an_error(self):
         campaign = self.campaign(RIGID)
