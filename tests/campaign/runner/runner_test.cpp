@@ -306,6 +306,10 @@ TEST_F(RunnerTest, AStopThatTakesLongerThanAStepMayIsNoStall) {
       return {{std::exchange(running_, ""), 128 + SIGTERM}};
     }
     void stop(const std::filesystem::path&, const Handle&, StopLevel) override { ++asked_; }
+    /// Until it has been asked to end, nobody takes it for stalled, however slow this machine is.
+    [[nodiscard]] std::vector<Presence> presences(const std::vector<AttemptPlace>& places) const override {
+      return std::vector<Presence>(places.size(), asked_ > 0 ? Presence::kRunning : Presence::kUnknown);
+    }
     [[nodiscard]] bool idle() const override { return running_.empty(); }
 
    private:
