@@ -26,6 +26,8 @@ softwall::RunOptions parse(CLI::App& app, int argc, char** argv) {
   app.add_option("--wall-seconds", options.wall_seconds,
                  "stop in order before so many seconds have passed; 0: no limit")
       ->check(within({.high = 1e9}));
+  app.add_flag("--snapshot", options.snapshot,
+               "write a snapshot of the newest checkpoint into fields/, and compute nothing");
   app.add_flag("--profile", options.profile, "say at the end where the time went and what was sent");
   app.parse(argc, argv);
   return options;

@@ -99,7 +99,7 @@ std::unique_ptr<Simulation> begin(const Case& c, const RunOptions& options,
   try {
     return std::make_unique<Simulation>(c, options, world);
   } catch (const output::AgreedError& error) {
-    summarise_failure(c, options, world, error);
+    if (!options.snapshot) summarise_failure(c, options, world, error);
     throw;
   } catch (const std::invalid_argument& error) {  // more ranks than the grid can feed
     throw output::AgreedError(ExitCode::kBadCase, error.what());
@@ -124,6 +124,10 @@ ExitCode simulate(const Case& c, const RunOptions& options, const parallel::Comm
   const output::RunLock lock(options.files, world);
   leave_to_later_attempt(c, options, world);
   const auto simulation = begin(c, options, world);
+  if (options.snapshot) {
+    simulation->write_snapshot();
+    return ExitCode::kDone;
+  }
   try {
     return simulation->run();
   } catch (const output::AgreedError& error) {

@@ -101,9 +101,8 @@ ExitCode Simulation::run() {
   Decision next = decide();
   last_step_ = time::choose_time_step(state_, setup_, next.convection_rate);
   write_status();
-  if (state_.step == 0 && case_.run.field_interval > 0 && is_closed_box(case_.physics.flow)) {
-    output::write_snapshot(options_.files, state_, setup_);  // what later shapes are compared with
-  }
+  if (state_.step == 0 && case_.run.field_interval > 0)
+    write_snapshot();  // what later shapes are compared with
   while (!next.stop() && !has_reached(state_.time, case_.run.end_time)) {
     const double time_before = state_.time;
     step(next.convection_rate);
@@ -186,6 +185,10 @@ void Simulation::snapshot(double time_before) {
   const double interval = case_.run.field_interval;
   if (interval <= 0 || intervals_passed(state_.time, interval) == intervals_passed(time_before, interval))
     return;
+  write_snapshot();
+}
+
+void Simulation::write_snapshot() {
   const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   output::write_snapshot(options_.files, state_, setup_);
 }

@@ -22,6 +22,7 @@ struct RunOptions {
   int attempt = 0;
   double wall_seconds = 0;  ///< stop in order before so much time has passed; 0: no limit
   bool profile = false;     ///< say at the end where the time went
+  bool snapshot = false;    ///< make a snapshot of the newest checkpoint and nothing else
   output::Clock::time_point started = output::Clock::now();
 };
 
@@ -34,6 +35,9 @@ class Simulation {
 
   /// Steps until the end. Throws AgreedError with what went wrong.
   [[nodiscard]] ExitCode run();
+
+  /// Writes a snapshot of the state as it is. Throws AgreedError.
+  void write_snapshot();
 
   /// Writes summary.json for an attempt that ends with this code.
   void summarise(ExitCode code, const std::string& reason);

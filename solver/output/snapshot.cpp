@@ -2,34 +2,106 @@
 
 #include <array>
 #include <cstdio>
-#include <sstream>
+#include <string>
 #include <vector>
 
 #include "solver/case/atomic_file.hpp"
 #include "solver/grid/cell_loop.hpp"
 #include "solver/output/agree.hpp"
+#include "solver/output/joined_fields.hpp"
 #include "solver/output/parallel_file.hpp"
+#include "solver/output/snapshot_collection.hpp"
 #include "solver/output/watchdog.hpp"
 
 namespace softwall::output {
 
 namespace {
 
-std::filesystem::path snapshot_file(const RunFiles& run, std::int64_t step, const char* extension) {
+std::filesystem::path snapshot_file(const RunFiles& run, std::int64_t step) {
   std::array<char, 64> name{};
-  std::snprintf(name.data(), name.size(), "fields-%09lld%s", static_cast<long long>(step), extension);
+  std::snprintf(name.data(), name.size(), "fields-%09lld.h5", static_cast<long long>(step));
   return run.fields() / name.data();
 }
 
-/// Mean of each face and its neighbour at (i + di, j + dj, k + dk), at the center between them.
-grid::Field to_centers(const grid::Field& face, const grid::Grid& g, std::array<int, 3> d) {
+/// Which neighbours of a value lie at the other ends of the cell, in x, y and z: {1, 0, 0} of a low-x face,
+/// {1, 1, 0} of a low-x low-y edge.
+using Place = std::array<int, 3>;
+
+/// Mean of a quantity on faces or edges, whose ghost cells are filled, over those of each cell.
+grid::Field to_centers(const grid::Field& q, const Place& place, const grid::Grid& g) {
   grid::Field center(g, 0);
-  const auto q = face.view();
-  const auto c = center.view();
+  const auto from = q.view();
+  const auto to = center.view();
+  const auto [x, y, z] = place;
+  const int ends = (1 + x) * (1 + y) * (1 + z);
   grid::for_each_cell(grid::all_cells(g), [=](int i, int j, int k) {
-    c(i, j, k) = (q(i, j, k) + q(i + d[0], j + d[1], k + d[2])) / 2;
+    grid::Real sum = 0;
+    for (int c = 0; c <= z; ++c)
+      for (int b = 0; b <= y; ++b)
+        for (int a = 0; a <= x; ++a) sum += from(i + a, j + b, k + c);
+    to(i, j, k) = sum / static_cast<grid::Real>(ends);
   });
   return center;
+}
+
+/// The same of a field of the solid, whose ghost cells are filled near it alone.
+grid::Field solid_to_centers(const grid::Field& field, const Place& place, time::Setup& setup) {
+  const auto& g = setup.grid;
+  grid::Field copy(g, 1);
+  const auto from = field.view();
+  const auto to = copy.view();
+  grid::for_each_cell({0, g.nx, 0, g.ny + place[1], 0, g.nz},
+                      [=](int i, int j, int k) { to(i, j, k) = from(i, j, k); });
+  setup.halo.fill({&copy});
+  return to_centers(copy, place, g);
+}
+
+/// A field of the snapshot, and where it comes from.
+struct Source {
+  Label label;
+  const grid::Field* field;
+  Place place{0, 0, 0};
+  bool of_solid = false;
+};
+
+std::vector<Source> sources_of(const time::State& s) {
+  std::vector<Source> all = {{{"u", "streamwise velocity, U_b"}, &s.velocity.x, {1, 0, 0}},
+                             {{"v", "wall-normal velocity, U_b"}, &s.velocity.y, {0, 1, 0}},
+                             {{"w", "spanwise velocity, U_b"}, &s.velocity.z, {0, 0, 1}},
+                             {{"p", "pressure, rho U_b^2"}, &s.pressure}};
+  if (!s.elastic) return all;
+  const auto& m = s.material;
+  all.push_back({{"phi", "solid fraction"}, &m.phi});
+  const std::string displacement = "displacement of the material that is here, h; of the solid alone";
+  const std::string tensor = "left Cauchy-Green tensor; of the solid alone";
+  const auto add = [&](const char* name, const std::string& what, const grid::Field& field,
+                       const Place& place) {
+    all.push_back({{name, what}, &field, place, true});
+  };
+  if (m.formulation == SolidFormulation::kReferenceMap) {
+    add("d_x", displacement, m.displacement.x, {1, 0, 0});
+    add("d_y", displacement, m.displacement.y, {0, 1, 0});
+    add("d_z", displacement, m.displacement.z, {0, 0, 1});
+    return all;
+  }
+  add("B_xx", tensor, m.B.xx, {0, 0, 0});
+  add("B_xy", tensor, m.B.xy, {1, 1, 0});
+  add("B_xz", tensor, m.B.xz, {1, 0, 1});
+  add("B_yy", tensor, m.B.yy, {0, 0, 0});
+  add("B_yz", tensor, m.B.yz, {0, 1, 1});
+  add("B_zz", tensor, m.B.zz, {0, 0, 0});
+  return all;
+}
+
+std::vector<JoinedField> joined_of(const time::State& s) {
+  std::vector<JoinedField> all = {{"velocity", "u, v, w", {"u", "v", "w"}}};
+  if (!s.elastic) return all;
+  if (s.material.formulation == SolidFormulation::kReferenceMap)
+    all.push_back({"displacement", "d_x, d_y, d_z", {"d_x", "d_y", "d_z"}});
+  else
+    all.push_back(
+        {"B", "B_xx, B_xy, B_xz, B_yy, B_yz, B_zz", {"B_xx", "B_xy", "B_xz", "B_yy", "B_yz", "B_zz"}});
+  return all;
 }
 
 std::vector<double> faces_in_y(const grid::Grid& g) {
@@ -44,63 +116,35 @@ std::vector<double> uniform_faces(int n, double spacing) {
   return x;
 }
 
-std::string xdmf(const std::string& data, const time::State& state, const grid::Grid& g,
-                 const std::vector<std::string>& fields) {
-  std::ostringstream out;
-  out.precision(17);
-  const auto item = [&](const std::string& name, const std::string& extents, std::size_t bytes) {
-    out << "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"" << bytes << "\" Dimensions=\""
-        << extents << "\">" << data << ":/" << name << "</DataItem>";
-  };
-  std::ostringstream cells;
-  cells << g.nz_global << " " << g.ny << " " << g.nx_global;
-  out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\"><Domain><Grid Name=\"channel\" "
-         "GridType=\"Uniform\">\n"
-      << "<Time Value=\"" << state.time << "\"/>\n<Topology TopologyType=\"3DRectMesh\" Dimensions=\""
-      << g.nz_global + 1 << " " << g.ny + 1 << " " << g.nx_global + 1
-      << "\"/>\n<Geometry GeometryType=\"VXVYVZ\">";
-  item("x", std::to_string(g.nx_global + 1), sizeof(double));
-  item("y", std::to_string(g.ny + 1), sizeof(double));
-  item("z", std::to_string(g.nz_global + 1), sizeof(double));
-  out << "</Geometry>\n";
-  for (const auto& name : fields) {
-    out << "<Attribute Name=\"" << name << "\" AttributeType=\"Scalar\" Center=\"Cell\">";
-    item(name, cells.str(), sizeof(grid::Real));
-    out << "</Attribute>\n";
-  }
-  out << "</Grid></Domain></Xdmf>\n";
-  return out.str();
-}
-
 }  // namespace
 
-void write_snapshot(const RunFiles& run, const time::State& state, const time::Setup& setup) {
+void write_snapshot(const RunFiles& run, const time::State& state, time::Setup& setup) {
   const auto& all = setup.decomposition.all();
   const auto& g = setup.grid;
-  const auto file = snapshot_file(run, state.step, ".h5");
+  const auto file = snapshot_file(run, state.step);
   auto temporary = file;
   temporary += ".tmp";
-  const Watchdog watchdog(Watchdog::seconds_for(static_cast<std::int64_t>(g.cells()) * 40));
+  const auto sources = sources_of(state);
+  const Watchdog watchdog(Watchdog::seconds_for(static_cast<std::int64_t>(g.cells()) * 8 *
+                                                static_cast<std::int64_t>(sources.size())));
   agree_on_root(all, ExitCode::kIoFailure, [&] { std::filesystem::create_directories(run.fields()); });
   ParallelFile out(temporary, all, 0);
   out.write_number({"time", "simulated time, h / U_b"}, state.time);
   out.write_values({"x", "cell faces, h"}, uniform_faces(g.nx_global, g.dx));
   out.write_values({"y", "cell faces, h"}, faces_in_y(g));
   out.write_values({"z", "cell faces, h"}, uniform_faces(g.nz_global, g.dz));
-  std::vector<std::string> names{"u", "v", "w", "p"};
-  out.write_field({"u", "streamwise velocity, U_b"}, to_centers(state.velocity.x, g, {1, 0, 0}), g.ny, g);
-  out.write_field({"v", "wall-normal velocity, U_b"}, to_centers(state.velocity.y, g, {0, 1, 0}), g.ny, g);
-  out.write_field({"w", "spanwise velocity, U_b"}, to_centers(state.velocity.z, g, {0, 0, 1}), g.ny, g);
-  out.write_field({"p", "pressure, rho U_b^2"}, state.pressure, g.ny, g);
-  if (state.elastic) {
-    out.write_field({"phi", "solid fraction"}, state.material.phi, g.ny, g);
-    names.emplace_back("phi");
+  for (const auto& [label, field, place, of_solid] : sources) {
+    if (place == Place{0, 0, 0})
+      out.write_field(label, *field, g.ny, g);
+    else
+      out.write_field(label, of_solid ? solid_to_centers(*field, place, setup) : to_centers(*field, place, g),
+                      g.ny, g);
   }
   out.close();
   agree_on_root(all, ExitCode::kIoFailure, [&] {
+    join_fields(temporary, joined_of(state));
     publish_file(temporary, file);
-    write_atomically(snapshot_file(run, state.step, ".xdmf"),
-                     xdmf(file.filename().string(), state, g, names));
+    write_snapshot_collection(run.fields());
   });
 }
 

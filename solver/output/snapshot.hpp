@@ -6,9 +6,10 @@
 
 namespace softwall::output {
 
-/// Writes fields/fields-<step>.h5 (velocity at cell centers, p, phi) and the .xdmf beside it that ParaView
+/// Writes fields/fields-<step>.h5, all at cell centres: velocity, p and, with a solid, phi and what carries
+/// its deformation (displacement or B); and fields/fields.xdmf, the collection of all snapshots that ParaView
 /// opens. Collective. Not part of the state: a snapshot that already exists is replaced. I/O errors end the
 /// program with exit code 75.
-void write_snapshot(const RunFiles& run, const time::State& state, const time::Setup& setup);
+void write_snapshot(const RunFiles& run, const time::State& state, time::Setup& setup);
 
 }  // namespace softwall::output

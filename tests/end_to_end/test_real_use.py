@@ -3,6 +3,7 @@
 import contextlib
 import json
 import os
+import re
 import shutil
 import signal
 import sqlite3
@@ -61,7 +62,23 @@ class RealUse(EndToEndTest):
         (case,) = json.loads(campaign.call("status", "--json").stdout)["cases"]
         self.assertEqual(case["step"], 10)
         snapshots = sorted(campaign.folder.glob("cases/*/fields/*.h5"))
-        self.assertEqual(len(snapshots), 10, snapshots)
+        self.assertEqual(len(snapshots), 11, f"ten and the initial state, not {snapshots}")
+        (directory,) = campaign.folder.glob("cases/*")
+        collection = (directory / "fields/fields.xdmf").read_text()
+        times = [float(time) for time in re.findall(r'<Time Value="([^"]+)"/>', collection)]
+        self.assertEqual([round(time, 9) for time in times], [step / 10 for step in range(11)])
+
+        with self.subTest("the newest checkpoint becomes a snapshot without a step"):
+            snapshots[-1].unlink()
+            before = (directory / "summary.json").read_text(), (directory / "status.json").read_text()
+            solver = SOFTWALL.parent / "softwall-dns"
+            made = subprocess.run(["mpirun", "--oversubscribe", "-n", "2", solver, directory, "--snapshot"],
+                                  capture_output=True, text=True)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            self.assertTrue(snapshots[-1].exists())
+            self.assertEqual(((directory / "summary.json").read_text(), (directory / "status.json").read_text()), before)
+            self.assertEqual((directory / "fields/fields.xdmf").read_text(), collection)
+            self.assert_sound(campaign)
         (row,) = campaign.query("SELECT window_start, window_end, end_time FROM results")
         self.assertEqual(row["window_start"], 0.5)
         self.assertLessEqual(row["window_end"], row["end_time"] * (1 + 1e-9))
