@@ -26,6 +26,15 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend has to be chosen first)
 
 matplotlib.rcParams["pdf.fonttype"] = 42  # fonts go into the file whole, so that text in it stays text
+# What a figure is for. In a column or on the page of a journal it is seen at about half its size: serifs as in the text
+# around it, and dots fine enough for print. In a talk it is seen from afar: large letters and thick lines.
+STYLES = {
+    "screen": {"savefig.dpi": 150},
+    "journal": {"savefig.dpi": 300, "font.family": "serif", "mathtext.fontset": "dejavuserif", "font.size": 12,
+                "legend.fontsize": 10, "lines.linewidth": 1.4, "axes.linewidth": 0.8},
+    "talk": {"savefig.dpi": 200, "font.size": 15, "legend.fontsize": 12, "lines.linewidth": 2.5, "axes.linewidth": 1.4},
+}
+STYLE_HELP = "screen (default), journal: serifs and 300 dots an inch, talk: large letters and thick lines"
 logging.getLogger("fontTools").setLevel(logging.ERROR)  # it wonders about the age of matplotlib's own fonts
 
 # The paper's colours of its four moduli, as its tables print them, and those of the next powers of two. A colour goes by
@@ -302,9 +311,12 @@ def arguments(description, add_options=None):
                         help="begin the averages at this time, h/U_b, but those of precursors; default: as in results.db, "
                              "whose numbers and fits keep their own window")
     parser.add_argument("--no-caption", action="store_true", help="leave out the lines below the figure")
+    parser.add_argument("--style", choices=STYLES, default="screen", help=STYLE_HELP)
     if add_options:
         add_options(parser)
-    return parser.parse_args()
+    options = parser.parse_args()
+    matplotlib.rcParams.update(STYLES[options.style])
+    return options
 
 
 def mirrored(y, values, sign=1):
@@ -348,6 +360,6 @@ def save(figure, options, script, text):
     output = pathlib.Path(options.output) if options.output else pathlib.Path(options.campaign) / name
     if not options.no_caption:
         figure.text(0.5, -0.01, text, ha="center", va="top", fontsize=8, wrap=True)
-    figure.savefig(output, dpi=150, bbox_inches="tight")
+    figure.savefig(output, bbox_inches="tight")
     plt.close(figure)
     print(output)

@@ -45,6 +45,7 @@ def draw(name, options, output):
         words += ["--from", repr(options.start)]
     if options.no_caption:
         words.append("--no-caption")
+    words += ["--style", options.style]
     before, sys.argv = sys.argv, words
     try:
         runpy.run_path(words[0], run_name="__main__")
@@ -81,6 +82,8 @@ def main():
     parser.add_argument("--format", choices=("png", "pdf", "svg"), default="png")
     parser.add_argument("--from", dest="start", type=float, metavar="T", help="begin the averages at this time, h/U_b")
     parser.add_argument("--no-caption", action="store_true", help="leave out the lines below each figure")
+    parser.add_argument("--style", choices=("screen", "journal", "talk"), default="screen",
+                        help="what they are for: journal has serifs and 300 dots an inch, talk large letters and thick lines")
     drawn, reasons = draw_all(parser.parse_args())
     for name, reason in reasons.items():
         print(f"not drawn, {name}: {reason}", file=sys.stderr)

@@ -145,7 +145,7 @@ def figures_section(campaign, start):
     """Every figure inside the page: lines as vectors, pictures of the flow as pixels, which are smaller."""
     parts = ["<h2>Figures</h2>"]
     with tempfile.TemporaryDirectory() as folder:
-        options = argparse.Namespace(campaign=campaign, output=folder, format="svg", start=start, no_caption=False)
+        options = argparse.Namespace(campaign=campaign, output=folder, format="svg", start=start, no_caption=False, style="screen")
         with contextlib.redirect_stdout(io.StringIO()):  # where the figures lie for a moment concerns nobody
             drawn, reasons = figures.draw_all(options, pixels=figures.PICTURES)
         for name, file in drawn.items():

@@ -27,7 +27,7 @@ const std::map<std::string, std::string>& examples() {
        "softwall query my-sweep \"SELECT label, re_tau, re_tau_ci95 FROM results ORDER BY re_tau\"\n"
        "softwall query my-sweep \"SELECT * FROM results WHERE G < 1\" --vertical"},
       {"export", "softwall export my-sweep --csv -o results.csv"},
-      {"figures", "softwall figures my-sweep --format pdf -o paper/figures"},
+      {"figures", "softwall figures my-sweep --format pdf --style journal --no-caption -o paper/figures"},
       {"report",
        "softwall report my-sweep    # writes my-sweep/report.html\n"
        "softwall report my-sweep --watch"},

@@ -28,7 +28,7 @@ struct Arguments {
   std::string sql, chosen;
   bool json = false, csv = false, latex = false, vertical = false, watch = false, remove = false,
        no_caption = false, why = false;
-  std::string picture = "png", shell;
+  std::string picture = "png", style = "screen", shell;
   std::optional<double> from;
   RunOptions run;
   [[nodiscard]] OutputFormat format() const {
@@ -168,14 +168,20 @@ void CommandLine::add_results_commands() {
     return export_campaign(given.results(), given.format(), given.output());
   });
   exporting->add_option("-o,--output", arguments_.file, "File to write instead of standard output");
-  CLI::App* figures = add("figures", "Draw every figure that the campaign's data allow",
-                          [](const Arguments& given) -> ExitStatus {
-                            draw_figures(given.results(), {given.output(), given.picture, !given.no_caption});
-                          });
+  CLI::App* figures =
+      add("figures", "Draw every figure that the campaign's data allow",
+          [](const Arguments& given) -> ExitStatus {
+            draw_figures(given.results(), {given.output(), given.picture, given.style, !given.no_caption});
+          });
   figures->add_option("-o,--output", arguments_.file,
                       "Folder to write to; default: figures/ in the campaign's");
   figures->add_option("--format", arguments_.picture, "Format of the pictures")
       ->check(CLI::IsMember({"png", "pdf", "svg"}))
+      ->capture_default_str();
+  figures
+      ->add_option("--style", arguments_.style,
+                   "What they are for: journal has serifs and 300 dots an inch, talk large letters")
+      ->check(CLI::IsMember({"screen", "journal", "talk"}))
       ->capture_default_str();
   figures->add_flag("--no-caption", arguments_.no_caption, "Leave out the lines below each figure");
   CLI::App* report = add("report", "Write one HTML page: cases, tables, figures, provenance",

@@ -48,6 +48,7 @@ enum class OutputFormat { kText, kVertical, kCsv, kJson, kLatex };
 struct FigureOptions {
   std::optional<std::filesystem::path> output;  ///< folder; figures/ in the campaign's where none is given
   std::string format = "png";                   ///< "png", "pdf" or "svg"
+  std::string style = "screen";                 ///< "screen", "journal" or "talk"
   bool caption = true;                          ///< lines below each figure that say what it rests on
 };
 /// Every figure that the campaign's data allow. Python takes the place of this process.

@@ -68,7 +68,7 @@ std::vector<std::string> common_options(const std::string& command, const Wanted
 
 void draw_figures(const WantedResults& wanted, const FigureOptions& options) {
   auto words = common_options("figures", wanted, options.output);
-  words.insert(words.end(), {"--format", options.format});
+  words.insert(words.end(), {"--format", options.format, "--style", options.style});
   if (!options.caption) words.emplace_back("--no-caption");
   become_script("figures.py", words);
 }
