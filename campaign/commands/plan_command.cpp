@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
@@ -14,6 +15,7 @@
 #include "campaign/core/plan.hpp"
 #include "campaign/core/words.hpp"
 #include "campaign/launch/make_launcher.hpp"
+#include "campaign/launch/slurm_job.hpp"
 #include "campaign/runner/wording.hpp"
 #include "campaign/store/result_table.hpp"
 #include "campaign/store/text_width.hpp"
@@ -26,6 +28,7 @@ struct PlannedCase {
   const CampaignCase* one;
   Decision decision;
   Estimate cost;
+  std::optional<int> job_minutes;  ///< that its next job would ask for; empty: none, or the partition's limit
 };
 
 struct PlannedCampaign {
@@ -34,6 +37,14 @@ struct PlannedCampaign {
   double wall_seconds = 0;
   std::vector<LeftBehind> left_behind;
 };
+
+std::optional<int> job_minutes(const Campaign& campaign, const Observation& seen, Outlook outlook) {
+  const bool is_next =
+      outlook == Outlook::kStart || outlook == Outlook::kResume || outlook == Outlook::kWaiting;
+  LaunchRequest request;
+  request.needed_seconds = measured_seconds_left(seen);
+  return is_next ? time_limit(request, campaign.execution.slurm) : std::nullopt;
+}
 
 PlannedCampaign plan_all(const LoadedCampaign& loaded) {
   const Campaign& campaign = loaded.campaign;
@@ -47,12 +58,13 @@ PlannedCampaign plan_all(const LoadedCampaign& loaded) {
     const double ns = speed.ns_per_cell_step(one.definition.physics);
     const bool done = decisions[i].outlook == Outlook::kKept;
     const double reached = done ? one.definition.run.end_time : observations[i].time;
-    planned.cases.push_back({&one, decisions[i], estimate(one.definition, ns, reached)});
+    planned.cases.push_back({&one, decisions[i], estimate(one.definition, ns, reached), std::nullopt});
   }
   planned.ready = preflight(loaded, observations, *launcher);
   for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
     const std::string& why = planned.ready.blocked[i];
     if (!why.empty()) planned.cases[i].decision = {campaign.cases[i].definition.id, Outlook::kBlocked, why};
+    planned.cases[i].job_minutes = job_minutes(campaign, observations[i], planned.cases[i].decision.outlook);
   }
   planned.wall_seconds = remaining_seconds(campaign, observations, {}, campaign.execution.cores);
   planned.left_behind = left_behind(loaded);
@@ -63,7 +75,7 @@ void print_json(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
   const int cores = loaded.campaign.execution.cores;
   nlohmann::ordered_json cases = nlohmann::json::array(), refused = nlohmann::json::array(),
                          left = nlohmann::json::array();
-  for (const auto& [one, decision, cost] : planned.cases) {
+  for (const auto& [one, decision, cost, minutes] : planned.cases) {
     cases.push_back({{"label", one->definition.label},
                      {"case_id", one->definition.id},
                      {"directory", one->directory},
@@ -73,7 +85,8 @@ void print_json(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
                      {"ranks", one->ranks},
                      {"cells", cost.cells},
                      {"steps", cost.steps},
-                     {"core_hours", cost.core_hours}});
+                     {"core_hours", cost.core_hours},
+                     {"job_minutes", minutes ? nlohmann::ordered_json(*minutes) : nlohmann::ordered_json()}});
   }
   for (const Mistake& mistake : planned.ready.mistakes)
     refused.push_back({{"where", mistake.where}, {"given", mistake.given}, {"allowed", mistake.allowed}});
@@ -115,14 +128,18 @@ std::string where_and_how_long(const Execution& execution, const PlannedCampaign
 
 void print_text(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
   ResultTable table{{"case", "plan", "why", "ranks", "cells", "steps", "core-hours"}, {}};
+  const bool with_jobs =
+      std::ranges::any_of(planned.cases, [](const auto& one) { return bool(one.job_minutes); });
+  if (with_jobs) table.columns.emplace_back("minutes a job");
   std::map<std::string, int> counts;
   double core_hours = 0;
-  for (const auto& [one, decision, cost] : planned.cases) {
+  for (const auto& [one, decision, cost, minutes] : planned.cases) {
     ++counts[to_string(decision.outlook)];
     core_hours += cost.core_hours;
     table.rows.push_back({one->definition.label, to_string(decision.outlook), decision.reason,
                           std::int64_t{one->ranks}, whole_number(cost.cells), whole_number(cost.steps),
                           short_number(cost.core_hours)});
+    if (with_jobs) table.rows.back().push_back(minutes ? Cell(std::int64_t{*minutes}) : Cell());
   }
   write_table(std::cout, table, TableFormat::kText);
   std::cout << "\n" << printable(loaded.campaign.name) << ": " << counted(std::ssize(planned.cases), "case");

@@ -40,6 +40,12 @@ double MeasuredSpeed::ns_per_cell_step(const Physics& physics) const {
   return found == sums_.end() ? default_ns_per_cell_step(physics) : found->second.ns / found->second.cases;
 }
 
+std::optional<double> measured_seconds_left(const Observation& seen) {
+  if (seen.step <= 0 || seen.time <= 0 || seen.seconds_per_step <= 0) return std::nullopt;
+  const double steps = (seen.end_time - seen.time) / (seen.time / static_cast<double>(seen.step));
+  return std::max(0.0, steps) * seen.seconds_per_step;
+}
+
 double remaining_seconds(const Campaign& campaign, const std::vector<Observation>& observations,
                          const std::map<std::string, Status>& working, int cores) {
   const MeasuredSpeed speed(campaign, observations);

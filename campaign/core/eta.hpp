@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,10 @@ namespace softwall::campaign {
 /// run, that of its like where one of them has, a default before that. Blocked cases cost nothing.
 [[nodiscard]] double remaining_seconds(const Campaign& campaign, const std::vector<Observation>& observations,
                                        const std::map<std::string, Status>& working, int cores);
+
+/// Wall-clock seconds that a case takes to its end time, from its newest checkpoint on: as many steps as its
+/// mean step so far makes, each as long as those of its last attempt. Empty before it has made any.
+[[nodiscard]] std::optional<double> measured_seconds_left(const Observation& seen);
 
 /// What was measured in a campaign.
 class MeasuredSpeed {

@@ -17,6 +17,8 @@ struct LaunchRequest {
   int attempt = 1;
   int ranks = 1;
   std::optional<double> wall_seconds;  ///< the solver checkpoints and ends in time for this
+  /// What the case still takes to its end, at the speed that was measured of it; empty: not known.
+  std::optional<double> needed_seconds = std::nullopt;
 };
 
 /// What a scheduler says about the end of an attempt; it counts where the solver itself has left no word.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include <xxhash.h>
 #include <nlohmann/json.hpp>
@@ -33,6 +34,8 @@ namespace softwall::campaign {
 namespace {
 
 using nlohmann::json;
+
+constexpr double kLongestStart = 60.0;  // s, of the ranks of a job
 
 std::string plain(std::string text, std::size_t longest) {
   const auto is_plain = [](unsigned char c) {
@@ -103,6 +106,8 @@ std::string script_text(const LaunchRequest& request, const SlurmOptions& slurm,
   text += "export OMP_NUM_THREADS=1\n";
   text += "export " + std::string(kRunDirectoryVariable) + "=" +
           shell_word(canonical_run_directory(request.run_directory)) + "\n";
+  text += "read -r _ _ _ _ _ " + std::string(kSessionVariable) + " _ < /proc/$$/stat; export " +
+          kSessionVariable + "\n";
   if (geteuid() == 0) text += "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1\n";
   text += "exec";
   for (const std::string& word : solver_command(request, slurm, programs)) text += " " + shell_word(word);
@@ -121,7 +126,7 @@ std::vector<std::string> submit_arguments(const LaunchRequest& request, const Sl
                                     signal_option(slurm)};
   if (!slurm.account.empty()) words.push_back("--account=" + slurm.account);
   if (!slurm.partition.empty()) words.push_back("--partition=" + slurm.partition);
-  if (slurm.time_limit_minutes) words.push_back("--time=" + std::to_string(*slurm.time_limit_minutes));
+  if (const auto minutes = time_limit(request, slurm)) words.push_back("--time=" + std::to_string(*minutes));
   if (slurm.nodes) words.push_back("--nodes=" + std::to_string(*slurm.nodes));
   words.insert(words.end(), slurm.options.begin(), slurm.options.end());
   return words;
@@ -149,11 +154,22 @@ std::vector<std::vector<std::string>> cancel_arguments(const std::string& name, 
   return {with({"--full", "--signal=KILL"}), with({})};
 }
 
+/// A short job finds its place earlier. One that turns out too short costs a restart and no step.
+std::optional<int> time_limit(const LaunchRequest& request, const SlurmOptions& slurm) {
+  constexpr double kMargin = 1.25;  // steps become shorter and nodes slower
+  constexpr double kLeast = 600.0;  // s; below that nothing is gained
+  if (!slurm.time_limit_minutes || !request.needed_seconds) return slurm.time_limit_minutes;
+  const double needed = kMargin * *request.needed_seconds + kLongestStart + slurm.signal_seconds;
+  const double most = *slurm.time_limit_minutes;
+  return static_cast<int>(std::min(most, std::ceil(std::max(needed, kLeast) / 60.0)));
+}
+
 std::optional<double> solver_seconds(const LaunchRequest& request, const SlurmOptions& slurm) {
-  if (!slurm.time_limit_minutes) return request.wall_seconds;
+  const auto minutes = time_limit(request, slurm);
+  if (!minutes) return request.wall_seconds;
   // The job's time begins before the solver's: its ranks have to be started first.
-  constexpr double kLongestStart = 60.0, kShareOfStart = 0.1;
-  const double limit = 60.0 * *slurm.time_limit_minutes;
+  constexpr double kShareOfStart = 0.1;
+  const double limit = 60.0 * *minutes;
   const double ours = limit - std::min(kLongestStart, kShareOfStart * limit);
   return std::min(ours, request.wall_seconds.value_or(ours));
 }

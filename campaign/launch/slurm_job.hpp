@@ -38,6 +38,10 @@ struct JobPrograms {
 [[nodiscard]] std::string script_text(const LaunchRequest& request, const SlurmOptions& slurm,
                                       const JobPrograms& programs);
 
+/// Time limit of the job in whole minutes: the campaign's, or less where the case is known to need less, a
+/// quarter and the time before the signal added. Empty: the partition's.
+[[nodiscard]] std::optional<int> time_limit(const LaunchRequest& request, const SlurmOptions& slurm);
+
 /// Arguments of sbatch behind its name, without the script. They are arguments and no lines of the script,
 /// because variables of the environment (SBATCH_...) would win over those.
 [[nodiscard]] std::vector<std::string> submit_arguments(const LaunchRequest& request,

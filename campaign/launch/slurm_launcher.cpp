@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "campaign/launch/solver_log.hpp"
 #include "campaign/system/clock.hpp"
 #include "campaign/system/find_program.hpp"
+#include "campaign/system/work_marks.hpp"
 #include "solver/case/atomic_file.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/run_directory/report_file.hpp"
@@ -278,7 +280,9 @@ Presence SlurmLauncher::presence_of(const std::filesystem::path& run_directory,
   if (found && presence_in(found->state) != Presence::kGone) return presence_in(found->state);
   const RestWatch::Verdict rest = rest_.look(run_directory, record.attempt);
   if (rest == RestWatch::Verdict::kAtWork) return Presence::kRunning;
-  const bool is_over = rest == RestWatch::Verdict::kAtRest || (found && leaves_no_process(found->state));
+  const bool vouched_for = found && leaves_no_process(found->state);
+  if (!vouched_for && !ProcessesAtWork::look().in(run_directory).empty()) return Presence::kRunning;
+  const bool is_over = vouched_for || rest == RestWatch::Verdict::kAtRest;
   return is_over && queue_.answers() ? Presence::kGone : Presence::kUnknown;
 }
 
@@ -292,13 +296,19 @@ std::vector<Presence> SlurmLauncher::presences(const std::vector<AttemptPlace>& 
   return found;
 }
 
-/// A request that does not reach Slurm is repeated by whoever makes it.
-void SlurmLauncher::stop(const std::filesystem::path&, const Handle& handle, StopLevel level) {
+/// A request that does not reach Slurm is repeated by whoever makes it. Processes that Slurm has lost,
+/// because their node's daemon died, are ended by us where they are on this machine.
+void SlurmLauncher::stop(const std::filesystem::path& run_directory, const Handle& handle, StopLevel level) {
   const auto job = job_of(handle);
   if (!job) return;
   for (const auto& arguments : cancel_arguments(job->name, level, options_))
     static_cast<void>(ask_slurm("scancel", arguments, pace_.answer));
   queue_.hurry();
+  const auto jobs = queue_.called(job->name);
+  const QueuedJob* const found = most_alive(jobs);
+  if (level == StopLevel::kCheckpoint || (found && presence_in(found->state) != Presence::kGone)) return;
+  for (const pid_t pid : ProcessesAtWork::look().in(run_directory))
+    kill(pid, level == StopLevel::kKill ? SIGKILL : SIGTERM);
 }
 
 void SlurmLauncher::clean_up(const std::filesystem::path& run_directory) {

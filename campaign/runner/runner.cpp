@@ -176,7 +176,8 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
                               .run_directory = run.directory,
                               .attempt = attempt,
                               .ranks = action.ranks,
-                              .wall_seconds = book_.campaign().execution.walltime_seconds};
+                              .wall_seconds = book_.campaign().execution.walltime_seconds,
+                              .needed_seconds = measured_seconds_left(book_.seen(one))};
   const auto note = [&](const Handle& handle) {
     write_run_record(
         run,

@@ -66,6 +66,19 @@ TEST_F(Eta, CountsFromWhereACaseHasGotTo) {
   EXPECT_NEAR(left(1), seconds_of(4) / 2, 0.01 * seconds_of(4));
 }
 
+TEST_F(Eta, OfACaseThatHasRunIsWhatWasMeasuredOfItself) {
+  Observation seen;
+  seen.end_time = 10;
+  EXPECT_FALSE(measured_seconds_left(seen));
+  seen.step = 100;
+  seen.time = 4;
+  EXPECT_FALSE(measured_seconds_left(seen)) << "its speed is not known";
+  seen.seconds_per_step = 2;
+  EXPECT_DOUBLE_EQ(measured_seconds_left(seen).value(), 150 * 2.0);
+  seen.time = 11;
+  EXPECT_EQ(measured_seconds_left(seen), 0.0);
+}
+
 TEST_F(Eta, BelievesARunningSolver) {
   for (std::size_t i = 0; i < 4; ++i) seen_[i].state = CaseState::kFinished;
   Status status;

@@ -116,6 +116,22 @@ TEST(SlurmJob, TheSolversClockEndsBeforeTheTimeLimit) {
   EXPECT_EQ(solver_seconds(request, options()), 100.0);
 }
 
+TEST(SlurmJob, AsksForNoMoreTimeThanTheCaseIsKnownToNeed) {
+  const auto slurm = options({{"time_limit_minutes", 600}, {"signal_seconds", 120}});
+  auto request = request_in("/data/w/cases/a-0");
+  EXPECT_EQ(time_limit(request, slurm), 600) << "nothing has been measured";
+  request.needed_seconds = 3600;
+  EXPECT_EQ(time_limit(request, slurm), 78) << "a quarter more, a minute to start, two after the signal";
+  EXPECT_TRUE(has(submit_arguments(request, slurm), "--time=78"));
+  EXPECT_EQ(solver_seconds(request, slurm), 78 * 60.0 - 60.0);
+  request.needed_seconds = 1;
+  EXPECT_EQ(time_limit(request, slurm), 10) << "never less";
+  EXPECT_EQ(time_limit(request, options({{"time_limit_minutes", 5}})), 5);
+  request.needed_seconds = 1e9;
+  EXPECT_EQ(time_limit(request, slurm), 600) << "nor more than the campaign's";
+  EXPECT_FALSE(time_limit(request, options())) << "the partition's limit is not known";
+}
+
 TEST(SlurmJob, AStopAsksMoreFirmlyFromLevelToLevel) {
   const auto ask = [&](StopLevel level) { return cancel_arguments("softwall.x", level, options()); };
   const auto checkpoint = ask(StopLevel::kCheckpoint);
