@@ -6,12 +6,11 @@
 #include "solver/case/bad_input.hpp"
 #include "solver/case/input_file.hpp"
 #include "solver/output/agree.hpp"
+#include "solver/output/later_attempt.hpp"
 #include "solver/output/parallel_file.hpp"
 #include "solver/output/run_lock.hpp"
 #include "solver/run_directory/build_info.hpp"
 #include "solver/run_directory/programs.hpp"
-#include "solver/run_directory/report_file.hpp"
-#include "solver/run_directory/run_record.hpp"
 #include "solver/simulation.hpp"
 
 namespace softwall {
@@ -106,23 +105,9 @@ std::unique_ptr<Simulation> begin(const Case& c, const RunOptions& options,
   }
 }
 
-/// A batch system may start an attempt that everybody took for gone, after the manager has begun a later one.
-/// It leaves without a word in the run directory, where the later one has the say. To be called under the
-/// lock.
-void leave_to_later_attempt(const Case& c, const RunOptions& options, const parallel::Communicator& world) {
-  if (options.attempt == 0) return;  // started by hand
-  output::agree_on_root(world, ExitCode::kFailed, [&] {
-    const auto record = read_report<RunRecord>(options.files.run_record(), c.id);
-    if (!record || record->attempt <= options.attempt) return;
-    throw output::AgreedError(ExitCode::kFailed, "attempt " + std::to_string(record->attempt) +
-                                                     " has taken the place of this one, " +
-                                                     std::to_string(options.attempt));
-  });
-}
-
 ExitCode simulate(const Case& c, const RunOptions& options, const parallel::Communicator& world) {
   const output::RunLock lock(options.files, world);
-  leave_to_later_attempt(c, options, world);
+  output::leave_to_later_attempt(options.files, c.id, options.attempt, world);
   const auto simulation = begin(c, options, world);
   if (options.snapshot) {
     simulation->write_snapshot();
@@ -130,6 +115,8 @@ ExitCode simulate(const Case& c, const RunOptions& options, const parallel::Comm
   }
   try {
     return simulation->run();
+  } catch (const output::ReplacedAttempt&) {
+    throw;  // the later one has the say in the run directory
   } catch (const output::AgreedError& error) {
     simulation->summarise(error.code, error.what());
     throw;

@@ -11,6 +11,7 @@
 #include "solver/output/agree.hpp"
 #include "solver/output/checkpoint_reader.hpp"
 #include "solver/output/checkpoint_writer.hpp"
+#include "solver/output/later_attempt.hpp"
 #include "solver/output/neighbour.hpp"
 #include "solver/output/profile_table.hpp"
 #include "solver/output/progress_line.hpp"
@@ -195,6 +196,7 @@ void Simulation::write_snapshot() {
 
 /// The averages so far stand beside every checkpoint, so that a case can be judged before its end.
 void Simulation::write_results() {
+  output::leave_to_later_attempt(options_.files, case_.id, options_.attempt, world_);
   checkpoint();
   const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   const auto arrays = spectra_.arrays();

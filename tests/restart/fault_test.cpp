@@ -5,6 +5,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "solver/case/atomic_file.hpp"
 #include "solver/output/watchdog.hpp"
 #include "solver/run_directory/checkpoint_header.hpp"
 #include "tests/restart/solver_run.hpp"
@@ -217,6 +218,24 @@ TEST(AttemptThatWasReplaced, LeavesWithoutAWord) {
   EXPECT_EQ(run.run(1, "--attempt 2").code, 0);
   expect_same_results(run, whole);
   EXPECT_EQ(run.run(1).code, 0) << "a person who starts the solver by hand knows what he does";
+}
+
+TEST(AttemptThatWasReplaced, LeavesBeforeItsNextCheckpointWithoutAWord) {
+  json definition = rigid_case(1000000);
+  definition["run"]["checkpoint_steps"] = 50;
+  SolverRun run(definition);
+  run.start(2, "--attempt 1");
+  ASSERT_TRUE(run.wait_for_step(50));
+  const json record{{"format", 1},
+                    {"case_id", json::parse(contents(run.files().status())).at("case_id")},
+                    {"attempt", 2},
+                    {"started", ""}};
+  write_atomically(run.files().run_record(), record.dump());
+  const Ended late = run.wait();
+  EXPECT_EQ(late.code, 1);
+  EXPECT_NE(late.output.find("attempt 2 has taken the place of this one, 1"), std::string::npos)
+      << late.output;
+  EXPECT_FALSE(fs::exists(run.files().summary()));
 }
 
 TEST(ReadOnlyFolder, IsNamed) {

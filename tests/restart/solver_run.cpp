@@ -101,10 +101,10 @@ Ended SolverRun::run(int ranks, const std::string& options, const std::string& p
   return {exit_code(status), contents(files_.log())};
 }
 
-pid_t SolverRun::start(int ranks) {
+pid_t SolverRun::start(int ranks, const std::string& options) {
   mpirun_ = ::fork();
   if (mpirun_ == 0) {
-    ::execl("/bin/sh", "sh", "-c", ("exec " + command(ranks, "")).c_str(), nullptr);
+    ::execl("/bin/sh", "sh", "-c", ("exec " + command(ranks, options)).c_str(), nullptr);
     ::_exit(127);
   }
   return mpirun_;

@@ -32,7 +32,7 @@ class SolverRun {
   Ended run(int ranks, const std::string& options = "", const std::string& prelude = "true") const;
 
   /// Starts mpirun, returns its process id.
-  pid_t start(int ranks);
+  pid_t start(int ranks, const std::string& options = "");
   /// Waits until status.json says that this step has been made; false after 60 s or when mpirun ends before.
   bool wait_for_step(std::int64_t step) const;
   /// Waits for what start() began.
