@@ -54,6 +54,9 @@ struct AttemptEnd {
   std::string started, ended;  ///< ISO 8601 UTC as the solver wrote it; ended empty: now
   std::string version, git_revision, build_type, compiler;  ///< of softwall-dns
   std::map<std::string, double> diagnostics;                ///< of summary.json, by name
+  /// Where it ran and began, by its own word: a job runs on other machines than it was submitted from, and
+  /// may begin long after. Empty: as was intended.
+  std::optional<AttemptStart> began = std::nullopt;
 };
 
 /// An attempt that has ended.

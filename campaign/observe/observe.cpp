@@ -153,6 +153,8 @@ AttemptEnd end_from_summary(const Summary& summary, const CampaignCase& campaign
   end.build_type = summary.build_type;
   end.compiler = summary.compiler;
   end.diagnostics = summary.diagnostics;
+  if (!summary.host.empty() && summary.ranks > 0)
+    end.began = AttemptStart{summary.host, summary.ranks, summary.resumed_from};
   return end;
 }
 

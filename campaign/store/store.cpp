@@ -88,6 +88,10 @@ void write_end(Connection& connection, const std::string& case_id, int attempt, 
       end.ns_per_cell_step, if_any(end.version), if_any(end.git_revision), if_any(end.build_type),
       if_any(end.compiler));
   require_row(connection, attempt_name(case_id, attempt));
+  if (const auto& began = end.began)
+    connection.run(
+        "UPDATE attempts SET host = ?3, ranks = ?4, resumed_from = ?5 WHERE case_id = ?1 AND attempt = ?2",
+        case_id, attempt, began->host, began->ranks, if_any(began->resumed_from));
   write_diagnostics(connection, case_id, attempt, end.diagnostics);
 }
 

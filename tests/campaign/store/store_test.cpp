@@ -125,6 +125,15 @@ TEST_F(StoreTest, AnAttemptIsKnownFromItsIntentToItsEnd) {
   EXPECT_EQ(store.begin_attempt(id, start), 2);
 }
 
+TEST_F(StoreTest, WhereAnAttemptRanAndBeganIsWhatItSaysItself) {
+  AttemptEnd end = failed_at(5);
+  store.end_attempt(id, store.begin_attempt(id, {"login", 4, "checkpoints/a.h5"}), end);
+  EXPECT_EQ(answer(store, "SELECT host || ranks || resumed_from FROM attempts"), "login4checkpoints/a.h5");
+  end.began = AttemptStart{"node7", 2, "checkpoints/b.h5"};
+  store.end_attempt(id, 1, end);
+  EXPECT_EQ(answer(store, "SELECT host || ranks || resumed_from FROM attempts"), "node72checkpoints/b.h5");
+}
+
 TEST_F(StoreTest, EndingTwiceIsEndingOnce) {
   const int attempt = store.begin_attempt(id, start);
   AttemptEnd end = failed_at(5);
