@@ -122,8 +122,10 @@ std::string where_and_how_long(const Execution& execution, const PlannedCampaign
     return "On " + those + " of this machine" + time + "; memory " + gigabytes(planned.ready.memory_bytes) +
            " of " + gigabytes(planned.ready.machine_memory_bytes);
   const std::string most = cores == kUnlimitedCores ? "all of them at once" : those + " at once";
-  return "By " + execution.launcher + ", " + most + " and without waiting" + time + "; memory together " +
-         gigabytes(planned.ready.memory_bytes);
+  const int together = execution.slurm.cases_per_job;
+  const std::string jobs = together > 1 ? ", up to " + counted(together, "case") + " a job" : "";
+  return "By " + execution.launcher + ", " + most + jobs + " and without waiting" + time +
+         "; memory together " + gigabytes(planned.ready.memory_bytes);
 }
 
 void print_text(const LoadedCampaign& loaded, const PlannedCampaign& planned) {

@@ -19,6 +19,7 @@ struct SlurmOptions {
   std::string account, partition;
   std::optional<int> time_limit_minutes;
   std::optional<int> nodes;
+  int cases_per_job = 1;                   ///< at most so many cases share a job, on one node
   int signal_seconds = 0;                  ///< Slurm asks for a checkpoint so long before the time limit
   std::string start_with;                  ///< "mpirun" or "srun"
   std::vector<std::string> start_options;  ///< words that follow it

@@ -26,6 +26,7 @@ SlurmOptions slurm_from(const json& object) {
   slurm.partition = object.value("partition", "");
   slurm.time_limit_minutes = optional_member<int>(object, "time_limit_minutes");
   slurm.nodes = optional_member<int>(object, "nodes");
+  slurm.cases_per_job = object.at("cases_per_job");
   slurm.signal_seconds = object.at("signal_seconds");
   slurm.start_with = object.at("start_with");
   slurm.start_options = object.at("start_options");
@@ -97,6 +98,13 @@ void check_slurm_times(const json& execution, std::vector<Mistake>& mistakes) {
     mistakes.push_back({"/execution/walltime_seconds", execution.at("walltime_seconds").dump(), within});
 }
 
+/// Several mpirun in one job know nothing of each other, and all begin to count at the first node.
+void check_cases_per_job(const json& slurm, std::vector<Mistake>& mistakes) {
+  if (slurm.at("cases_per_job").get<int>() == 1 || !slurm.contains("nodes") || slurm.at("nodes") == 1) return;
+  mistakes.push_back({"/execution/slurm/nodes", slurm.at("nodes").dump(),
+                      "1, or absent: cases that share a job share one node"});
+}
+
 void check_slurm(const json& execution, std::vector<Mistake>& mistakes) {
   if (!execution.contains(kSlurm)) return;
   if (execution.at("launcher") != kSlurm) {
@@ -106,6 +114,7 @@ void check_slurm(const json& execution, std::vector<Mistake>& mistakes) {
   }
   check_slurm_options(execution.at(kSlurm).at("options"), mistakes);
   check_slurm_times(execution, mistakes);
+  check_cases_per_job(execution.at(kSlurm), mistakes);
 }
 
 /// Jobs have defaults of their own also where nothing is asked of Slurm.

@@ -81,28 +81,36 @@ std::optional<JobRecord> job_of(const Handle& handle) {
   }
 }
 
+std::string job_name_beginning(const std::filesystem::path& run_directory) {
+  constexpr std::size_t kLongestFolder = 40;
+  const auto directory = canonical_run_directory(run_directory);
+  return "softwall." + plain(directory.parent_path().parent_path().filename(), kLongestFolder) + ".";
+}
+
 std::string job_name(const LaunchRequest& request) {
-  constexpr std::size_t kLongestFolder = 40, kLongestCase = 100;
+  constexpr std::size_t kLongestCase = 100;
   const std::filesystem::path directory = canonical_run_directory(request.run_directory);
   const std::string path = directory;
-  return "softwall." + plain(directory.parent_path().parent_path().filename(), kLongestFolder) + "." +
-         plain(directory.filename(), kLongestCase) + "." + std::to_string(request.attempt) + "." +
-         hexadecimal(XXH3_64bits(path.data(), path.size()));
+  return job_name_beginning(directory) + plain(directory.filename(), kLongestCase) + "." +
+         std::to_string(request.attempt) + "." + hexadecimal(XXH3_64bits(path.data(), path.size()));
 }
 
 std::filesystem::path job_script(const std::filesystem::path& run_directory) {
   return run_directory / "job.sh";
 }
 
-std::string script_text(const LaunchRequest& request, const SlurmOptions& slurm,
-                        const JobPrograms& programs) {
+std::string leave_when_begun_again() {
+  return "if [ \"${SLURM_RESTART_COUNT:-0}\" -gt 0 ]; then\n"
+         "  echo 'softwall: Slurm has begun this job again; it ends, and softwall submits another'\n"
+         "  exit " +
+         std::to_string(static_cast<int>(ExitCode::kInterrupted)) + "\nfi\n";
+}
+
+std::string script_text(const LaunchRequest& request, const SlurmOptions& slurm, const JobPrograms& programs,
+                        const std::string& job_line) {
   std::string text = "#!/bin/sh\n# Attempt " + std::to_string(request.attempt) +
-                     ", as softwall has submitted it. Slurm has a copy of its own.\n";
-  text +=
-      "if [ \"${SLURM_RESTART_COUNT:-0}\" -gt 0 ]; then\n"
-      "  echo 'softwall: Slurm has begun this job again; it ends, and softwall submits another'\n"
-      "  exit " +
-      std::to_string(static_cast<int>(ExitCode::kInterrupted)) + "\nfi\n";
+                     ", as softwall has submitted it. Slurm has a copy of its own.\n" + job_line;
+  text += leave_when_begun_again();
   text += "export OMP_NUM_THREADS=1\n";
   text += "export " + std::string(kRunDirectoryVariable) + "=" +
           shell_word(canonical_run_directory(request.run_directory)) + "\n";
@@ -114,9 +122,10 @@ std::string script_text(const LaunchRequest& request, const SlurmOptions& slurm,
   return text + "\n";
 }
 
-std::vector<std::string> submit_arguments(const LaunchRequest& request, const SlurmOptions& slurm) {
+std::vector<std::string> submit_arguments(const LaunchRequest& request, const SlurmOptions& slurm,
+                                          const std::string& name) {
   std::vector<std::string> words = {"--parsable",
-                                    "--job-name=" + job_name(request),
+                                    "--job-name=" + name,
                                     "--chdir=" + request.run_directory.string(),
                                     "--output=" + RunFiles{request.run_directory}.log().filename().string(),
                                     "--open-mode=append",

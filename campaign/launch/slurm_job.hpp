@@ -25,6 +25,8 @@ struct JobRecord {
 /// "softwall.<campaign's folder>.<case's directory>.<attempt>.<hash of the run directory>": for people, and
 /// the only one of its kind, also where a campaign's folder was copied. Only letters, digits and "._=+-".
 [[nodiscard]] std::string job_name(const LaunchRequest& request);
+/// "softwall.<campaign's folder>."
+[[nodiscard]] std::string job_name_beginning(const std::filesystem::path& run_directory);
 
 /// The script of the job, in the run directory. It is there for as long as the attempt is softwall's
 /// business.
@@ -35,8 +37,11 @@ struct JobPrograms {
   std::filesystem::path starter;  ///< mpirun or srun
   std::filesystem::path solver;
 };
+/// job_line: a comment that says in which job the attempt runs (slurm_pack.hpp).
 [[nodiscard]] std::string script_text(const LaunchRequest& request, const SlurmOptions& slurm,
-                                      const JobPrograms& programs);
+                                      const JobPrograms& programs, const std::string& job_line);
+/// The lines by which a job that Slurm begins again by itself ends at once.
+[[nodiscard]] std::string leave_when_begun_again();
 
 /// Time limit of the job in whole minutes: the campaign's, or less where the case is known to need less, a
 /// quarter and the time before the signal added. Empty: the partition's.
@@ -45,7 +50,7 @@ struct JobPrograms {
 /// Arguments of sbatch behind its name, without the script. They are arguments and no lines of the script,
 /// because variables of the environment (SBATCH_...) would win over those.
 [[nodiscard]] std::vector<std::string> submit_arguments(const LaunchRequest& request,
-                                                        const SlurmOptions& slurm);
+                                                        const SlurmOptions& slurm, const std::string& name);
 
 /// Arguments of scancel for all jobs of this name, at a level; more than one call where more than one list.
 [[nodiscard]] std::vector<std::vector<std::string>> cancel_arguments(const std::string& name, StopLevel level,

@@ -3,14 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "campaign/core/words.hpp"
 #include "campaign/launch/slurm_command.hpp"
+#include "campaign/launch/slurm_pack.hpp"
+#include "campaign/launch/slurm_size.hpp"
+#include "campaign/launch/slurm_verdict.hpp"
 #include "campaign/launch/solver_log.hpp"
 #include "campaign/system/clock.hpp"
+#include "campaign/system/file_system.hpp"
 #include "campaign/system/find_program.hpp"
 #include "campaign/system/work_marks.hpp"
 #include "solver/case/atomic_file.hpp"
@@ -54,38 +59,6 @@ std::optional<std::string> number_in(const Answer& answer) {
   return answer.output.substr(0, digits);
 }
 
-/// The one of several jobs of a name that is furthest from its end.
-const QueuedJob* most_alive(const std::vector<QueuedJob>& jobs) {
-  const auto rank = [](const QueuedJob& job) {
-    constexpr std::array kOrder = {Presence::kRunning, Presence::kQueued, Presence::kUnknown,
-                                   Presence::kGone};
-    return std::ranges::find(kOrder, presence_in(job.state)) - kOrder.begin();
-  };
-  const auto found = std::ranges::min_element(jobs, {}, rank);
-  return found == jobs.end() ? nullptr : &*found;
-}
-
-/// What Slurm says about the end of a job; empty where the exit status tells more.
-std::optional<Verdict> verdict_on(const QueuedJob& job) {
-  constexpr int kCannotWrite = 128 + 53;  // Slurm shows it as 0:53
-  const std::string& state = job.state;
-  const std::string name = "its job " + job.number;
-  if (state == "TIMEOUT" || state == "DEADLINE")
-    return Verdict{AttemptOutcome::kTimeout, name + " reached its time limit"};
-  if (state == "CANCELLED") return Verdict{AttemptOutcome::kKilled, name + " was cancelled"};
-  if (state == "OUT_OF_MEMORY")
-    return Verdict{AttemptOutcome::kOutOfMemory, name + " needed more memory than it had asked for"};
-  if (state == "NODE_FAIL" || state == "BOOT_FAIL")
-    return Verdict{AttemptOutcome::kNodeFailure, "a node of " + name + " failed"};
-  if (state == "PREEMPTED" || state == "REVOKED")
-    return Verdict{AttemptOutcome::kNodeFailure, name + " had to make room for another"};
-  if (job.exit_code == kCannotWrite)
-    return Verdict{AttemptOutcome::kFailed,
-                   name + " could not write its log: is the campaign's folder there on the nodes?"};
-  if (job.exit_code) return std::nullopt;
-  return Verdict{AttemptOutcome::kFailed, name + " ended as " + state};
-}
-
 }  // namespace
 
 SlurmLauncher::SlurmLauncher(SlurmOptions options, SlurmPace pace)
@@ -99,13 +72,17 @@ void SlurmLauncher::prepare(const std::filesystem::path& solver, int ranks) {
   }
   // The nodes may have another PATH than this machine, but where a program is here it is mostly there too.
   programs_ = {find_on_path(options_.start_with).value_or(options_.start_with), solver};
+  const auto size = cluster_size(options_, pace_.answer);
+  if (size) cores_of_a_node_ = size->cores_of_a_node;
   if (ranks == 0) return;
-  auto arguments = submit_arguments({"", "/", 0, ranks, std::nullopt}, options_);
+  const auto refuse = [&](const std::string& why) {
+    throw BadInput("sbatch", {{"", "Slurm refuses a job of " + counted(ranks, "rank"), why}});
+  };
+  if (const std::string why = size ? why_too_large(ranks, options_, *size) : ""; !why.empty()) refuse(why);
+  auto arguments = submit_arguments({"", "/", 0, ranks, std::nullopt}, options_, "softwall.trial");
   arguments.insert(arguments.end(), {"--test-only", "--wrap=true"});
   const Answer answer = ask_slurm("sbatch", arguments, pace_.answer);
-  if (answer.exit_code == 0 || may_pass(answer)) return;
-  throw BadInput("sbatch",
-                 {{"", "Slurm refuses a job of " + counted(ranks, "rank"), trouble_in(answer, "sbatch")}});
+  if (answer.exit_code != 0 && !may_pass(answer)) refuse(trouble_in(answer, "sbatch"));
 }
 
 Handle SlurmLauncher::intended(const LaunchRequest& request) const {
@@ -114,47 +91,116 @@ Handle SlurmLauncher::intended(const LaunchRequest& request) const {
 
 Handle SlurmLauncher::start(const LaunchRequest& request) {
   keep_small(RunFiles{request.run_directory}.log());
-  write_atomically(job_script(request.run_directory), script_text(request, options_, programs_));
+  remove_pack_files(request.run_directory);
   rest_.forget(request.run_directory);
   Job& job = jobs_[job_name(request)];
-  job = {request, {job_name(request), request.attempt, ""}};
-  submit_waiting();
+  job = {request, {job_name(request), request.attempt, ""}, "", Stage::kWaiting, monotonic_seconds()};
+  write_atomically(job_script(request.run_directory),
+                   script_text(request, options_, programs_, job_line("")));
+  submit_waiting(false);
   return handle_of(job.record);
 }
 
 bool SlurmLauncher::adopt(const LaunchRequest& request, const Handle& handle) {
   const auto record = job_of(handle);
-  if (record) jobs_[record->name] = {request, *record, Stage::kAccepted};
-  return record.has_value();
+  if (!record) return false;
+  const auto name = job_in(request.run_directory, record->name);
+  jobs_[record->name] = {request, *record, name.value_or(record->name), Stage::kAccepted,
+                         monotonic_seconds()};
+  return true;
+}
+
+/// What is to be submitted again stays together, because the same name finds a job that was accepted before.
+/// The rest is put together anew; a job that is not full waits for more cases until the runner has started
+/// all it can.
+std::vector<SlurmLauncher::Group> SlurmLauncher::groups_to_submit(bool also_small_ones) {
+  std::map<std::string, Group> again;
+  std::vector<Group> groups;
+  Group next;
+  for (auto& [name, job] : jobs_) {
+    if (job.stage != Stage::kWaiting) continue;
+    if (!job.name.empty()) {
+      again[job.name].push_back(&job);
+      continue;
+    }
+    if (!next.empty() && !has_room(next, job.request.ranks)) groups.push_back(std::exchange(next, {}));
+    next.push_back(&job);
+    if (!has_room(next, 1)) groups.push_back(std::exchange(next, {}));
+  }
+  if (also_small_ones && !next.empty() && !may_grow(next)) groups.push_back(std::move(next));
+  for (auto& [name, group] : again) groups.push_back(std::move(group));
+  return groups;
+}
+
+bool SlurmLauncher::has_room(const Group& group, int ranks) const {
+  for (const Job* job : group) ranks += job->request.ranks;
+  return group.size() < static_cast<std::size_t>(options_.cases_per_job) &&
+         ranks <= cores_of_a_node_.value_or(kUnlimitedCores);
+}
+
+/// Whether more cases may soon be there to share a job: those that are at work now, once they have ended.
+bool SlurmLauncher::may_grow(const Group& group) const {
+  const bool any_at_work =
+      std::ranges::any_of(jobs_, [](const auto& one) { return one.second.stage != Stage::kWaiting; });
+  const double oldest = std::ranges::min(group, {}, &Job::since)->since;
+  return any_at_work && monotonic_seconds() - oldest < pace_.gathering;
 }
 
 /// One after the other while Slurm takes them.
-void SlurmLauncher::submit_waiting() {
-  for (auto& [name, job] : jobs_) {
-    if (job.stage != Stage::kWaiting) continue;
+void SlurmLauncher::submit_waiting(bool also_small_ones) {
+  for (const Group& group : groups_to_submit(also_small_ones)) {
     queue_.refresh();
     if (!queue_.answers() || monotonic_seconds() < submit_at_) return;
-    submit(job);
+    submit(group);
+  }
+}
+
+std::vector<LaunchRequest> SlurmLauncher::requests_of(const Group& group) {
+  std::vector<LaunchRequest> requests;
+  for (const Job* job : group) requests.push_back(job->request);
+  return requests;
+}
+
+/// Each case's script says in which job it runs before that job is submitted: whoever comes after us finds it
+/// by that.
+void SlurmLauncher::write_scripts(const Group& group) const {
+  const auto requests = requests_of(group);
+  const LaunchRequest all = together(requests);
+  const auto& first = all.run_directory;
+  if (group.size() > 1) write_atomically(pack_script(first), pack_text(requests));
+  for (const Job* job : group) {
+    LaunchRequest request = job->request;
+    request.needed_seconds = all.needed_seconds;  // all have the time of the job
+    write_atomically(job_script(request.run_directory),
+                     script_text(request, options_, programs_, job_line(pack_name(requests))));
   }
 }
 
 /// Whether the job was accepted is known where sbatch says its number, or where it says why not. In all other
 /// cases the queue is asked before it is submitted again.
-void SlurmLauncher::submit(Job& job) {
-  auto arguments = submit_arguments(job.request, options_);
-  arguments.push_back(job_script(job.request.run_directory));
+void SlurmLauncher::submit(const Group& group) {
+  write_scripts(group);
+  const auto requests = requests_of(group);
+  const LaunchRequest all = together(requests);
+  const std::string name = pack_name(requests);
+  auto arguments = submit_arguments(all, options_, name);
+  if (group.size() > 1 && !options_.nodes) arguments.emplace_back("--nodes=1");
+  arguments.push_back(group.size() > 1 ? pack_script(all.run_directory) : job_script(all.run_directory));
   const Answer answer = ask_slurm("sbatch", arguments, pace_.answer);
   queue_.hurry();
-  if (const auto number = number_in(answer)) {
-    job.record.number = *number;
-    job.stage = Stage::kAccepted;
+  const auto number = number_in(answer);
+  const double now = monotonic_seconds();
+  for (Job* job : group) {
+    job->name = name;
+    job->record.number = number.value_or("");
+    job->stage = number ? Stage::kAccepted : Stage::kDoubtful;
+    job->doubt_until = now + (is_doubtful(answer) ? pace_.doubt : 0.0);
+  }
+  if (number) {
     submit_pause_ = 0.0;
     tell("submit", "");
     return;
   }
-  const double now = monotonic_seconds();
-  job.stage = Stage::kDoubtful;
-  job.doubt_until = now + (is_doubtful(answer) ? pace_.doubt : 0.0);
   submit_pause_ = std::min(std::max(pace_.shortest, 2 * submit_pause_), pace_.longest_silence);
   submit_at_ = now + submit_pause_;
   tell("submit", "Slurm takes no job just now; trying again: " + trouble_in(answer, "sbatch"));
@@ -162,7 +208,7 @@ void SlurmLauncher::submit(Job& job) {
 
 /// Called with an answer of Slurm's.
 void SlurmLauncher::resolve_doubt(Job& job) {
-  if (const auto found = queue_.called(job.record.name); !found.empty()) {
+  if (const auto& found = queue_.called(job.name); !found.empty()) {
     job.record.number = found.front().number;
     job.stage = Stage::kAccepted;
   } else if (queue_.asked_at() >= job.doubt_until) {
@@ -171,8 +217,7 @@ void SlurmLauncher::resolve_doubt(Job& job) {
 }
 
 /// Two jobs of one name never work at once; the one that still waits has nothing to do.
-void SlurmLauncher::cancel_extra(const Job& job) {
-  const auto jobs = queue_.called(job.record.name);
+void SlurmLauncher::cancel_extra(const std::vector<QueuedJob>& jobs) {
   const QueuedJob* const kept = most_alive(jobs);
   for (const QueuedJob& other : jobs) {
     if (other.number == kept->number || presence_in(other.state) != Presence::kQueued) continue;
@@ -182,15 +227,13 @@ void SlurmLauncher::cancel_extra(const Job& job) {
 }
 
 /// A job may wait for ever for what this cluster does not have; only a person can tell.
-void SlurmLauncher::tell_why_it_waits(const Job& job) {
+void SlurmLauncher::tell_why_it_waits(const std::string& directory, const std::vector<QueuedJob>& jobs) {
   static constexpr std::array<std::string_view, 6> kUsual = {"",          "None",       "Priority",
                                                              "Resources", "Dependency", "BeginTime"};
-  const auto jobs = queue_.called(job.record.name);
   const QueuedJob* const found = most_alive(jobs);
   if (!found || presence_in(found->state) != Presence::kQueued) return;
   if (std::ranges::find(kUsual, found->why) != kUsual.end()) return;
-  tell(job.record.name, job.request.run_directory.filename().string() + ": job " + found->number +
-                            " waits, says Slurm: " + found->why);
+  tell(found->name, directory + ": job " + found->number + " waits, says Slurm: " + found->why);
 }
 
 std::vector<std::string> SlurmLauncher::news() { return std::exchange(news_, {}); }
@@ -215,29 +258,34 @@ std::vector<EndedAttempt> SlurmLauncher::collect() {
   }
   tell("queue", "");
   std::vector<Job> over;
+  std::set<std::string> looked_at;  // jobs; several cases may share one
   for (auto& [name, job] : jobs_) {
     keep_small_while_written(RunFiles{job.request.run_directory}.log());
     if (job.stage == Stage::kDoubtful) resolve_doubt(job);
     if (job.stage != Stage::kAccepted) continue;
-    cancel_extra(job);
-    tell_why_it_waits(job);
+    if (looked_at.insert(job.name).second) {
+      const auto& jobs = queue_.called(job.name);
+      cancel_extra(jobs);
+      tell_why_it_waits(job.request.run_directory.filename(), jobs);
+    }
     if (is_over(job)) over.push_back(job);
   }
   const auto ended = ends_of(over);
   for (const Job& job : over) {
     clean_up(job.request.run_directory);
-    told_.erase(job.record.name);
+    told_.erase(job.name);
     jobs_.erase(job.record.name);
   }
-  submit_waiting();
+  submit_waiting(true);
   return ended;
 }
 
 /// A job that is in the queue although its attempt has reached the end is one that Slurm has brought back, or
-/// the second of a name.
+/// the second of a name. One of several cases passes over those that have ended.
 bool SlurmLauncher::is_over(const Job& job) {
   const Presence presence = presence_of(job.request.run_directory, job.record);
   if (presence != Presence::kQueued) return presence == Presence::kGone;
+  if (job.name != job.record.name) return false;
   const auto summary =
       read_report<Summary>(RunFiles{job.request.run_directory}.summary(), job.request.case_id);
   const bool finished = summary && summary->attempt == job.record.attempt && summary->outcome == "finished";
@@ -248,15 +296,17 @@ bool SlurmLauncher::is_over(const Job& job) {
 std::vector<EndedAttempt> SlurmLauncher::ends_of(const std::vector<Job>& over) const {
   std::vector<std::string> vanished;
   for (const Job& job : over) {
-    if (queue_.called(job.record.name).empty()) vanished.push_back(job.record.name);
+    if (queue_.called(job.name).empty()) vanished.push_back(job.name);
   }
   const auto past = queue_.past(vanished);
   std::vector<EndedAttempt> ended;
   for (const Job& job : over) {
     EndedAttempt end{job.request.case_id, std::nullopt, std::nullopt};
-    auto jobs = queue_.called(job.record.name);
-    if (const auto known = past.find(job.record.name); known != past.end()) jobs.push_back(known->second);
-    if (jobs.empty()) {
+    auto jobs = queue_.called(job.name);
+    if (const auto known = past.find(job.name); known != past.end()) jobs.push_back(known->second);
+    if (const auto noted = packed_exit_code(job.request.run_directory, job.record.attempt)) {
+      end.exit_code = noted;
+    } else if (jobs.empty()) {
       end.verdict = {AttemptOutcome::kLost, "Slurm no longer knows its job, and the solver has left no word"};
     } else {
       end.exit_code = jobs.back().exit_code;
@@ -271,11 +321,14 @@ std::vector<EndedAttempt> SlurmLauncher::ends_of(const std::vector<Job>& over) c
 /// end.
 Presence SlurmLauncher::presence_of(const std::filesystem::path& run_directory,
                                     const JobRecord& record) const {
-  std::error_code unreadable;
-  if (!std::filesystem::exists(job_script(run_directory), unreadable)) return Presence::kGone;  // seen before
+  const auto name = job_in(run_directory, record.name);
+  if (!name) return Presence::kGone;  // seen before
   if (const auto own = jobs_.find(record.name); own != jobs_.end() && own->second.stage != Stage::kAccepted)
     return own->second.stage == Stage::kWaiting ? Presence::kQueued : Presence::kUnknown;
-  const auto jobs = queue_.called(record.name);
+  if (name->empty()) return Presence::kGone;  // never submitted
+  if (packed_exit_code(run_directory, record.attempt))
+    return lock_is_held(RunFiles{run_directory}.lock()) ? Presence::kRunning : Presence::kGone;
+  const auto& jobs = queue_.called(*name);
   const QueuedJob* const found = queue_.answers() ? most_alive(jobs) : nullptr;
   if (found && presence_in(found->state) != Presence::kGone) return presence_in(found->state);
   const RestWatch::Verdict rest = rest_.look(run_directory, record.attempt);
@@ -301,11 +354,15 @@ std::vector<Presence> SlurmLauncher::presences(const std::vector<AttemptPlace>& 
 void SlurmLauncher::stop(const std::filesystem::path& run_directory, const Handle& handle, StopLevel level) {
   const auto job = job_of(handle);
   if (!job) return;
-  for (const auto& arguments : cancel_arguments(job->name, level, options_))
-    static_cast<void>(ask_slurm("scancel", arguments, pace_.answer));
-  queue_.hurry();
-  const auto jobs = queue_.called(job->name);
-  const QueuedJob* const found = most_alive(jobs);
+  const std::string name = job_in(run_directory, job->name).value_or(job->name);
+  if (name != job->name) {
+    ask_packed(run_directory, level);
+  } else {
+    for (const auto& arguments : cancel_arguments(name, level, options_))
+      static_cast<void>(ask_slurm("scancel", arguments, pace_.answer));
+    queue_.hurry();
+  }
+  const QueuedJob* const found = most_alive(queue_.called(name));
   if (level == StopLevel::kCheckpoint || (found && presence_in(found->state) != Presence::kGone)) return;
   for (const pid_t pid : ProcessesAtWork::look().in(run_directory))
     kill(pid, level == StopLevel::kKill ? SIGKILL : SIGTERM);
@@ -314,6 +371,7 @@ void SlurmLauncher::stop(const std::filesystem::path& run_directory, const Handl
 void SlurmLauncher::clean_up(const std::filesystem::path& run_directory) {
   std::error_code ignored;
   std::filesystem::remove(job_script(run_directory), ignored);
+  remove_pack_files(run_directory);
   rest_.forget(run_directory);
 }
 

@@ -13,8 +13,9 @@
 
 namespace softwall::campaign {
 
-/// Hands attempts to Slurm, one job each. Jobs are found again by their names, which hold campaign, case and
-/// attempt, so that nothing is lost, or submitted twice, when an answer is not heard or softwall is killed.
+/// Hands attempts to Slurm, one job each, or several to a job where the campaign asks for that. Jobs are
+/// found again by their names, which hold campaign, case and attempt, so that nothing is lost, or submitted
+/// twice, when an answer is not heard or softwall is killed.
 ///
 /// What Slurm does not say is unknown, asked again later, and never taken for an end. "Not in the queue" does
 /// not mean that nobody works either: the solver's own lock and files in the run directory count besides
@@ -46,15 +47,24 @@ class SlurmLauncher final : public Launcher {
   struct Job {
     LaunchRequest request;
     JobRecord record;
+    std::string name;  ///< of the job of Slurm that carries it; empty: none so far
     Stage stage = Stage::kWaiting;
+    double since = 0.0;        ///< monotonic; it was given to us
     double doubt_until = 0.0;  ///< monotonic; before that its absence from the queue proves nothing
   };
+  using Group = std::vector<Job*>;  ///< attempts that one job carries
 
-  void submit_waiting();
-  void submit(Job& job);
+  [[nodiscard]] std::vector<Group> groups_to_submit(bool also_small_ones);
+  /// Whether so many ranks more may share a job, and its one node, with a group.
+  [[nodiscard]] bool has_room(const Group& group, int ranks) const;
+  [[nodiscard]] bool may_grow(const Group& group) const;
+  void submit_waiting(bool also_small_ones);
+  [[nodiscard]] static std::vector<LaunchRequest> requests_of(const Group& group);
+  void write_scripts(const Group& group) const;
+  void submit(const Group& group);
   void resolve_doubt(Job& job);
-  void cancel_extra(const Job& job);
-  void tell_why_it_waits(const Job& job);
+  void cancel_extra(const std::vector<QueuedJob>& jobs);
+  void tell_why_it_waits(const std::string& directory, const std::vector<QueuedJob>& jobs);
   void tell(const std::string& about, const std::string& what);
   [[nodiscard]] Presence presence_of(const std::filesystem::path& run_directory,
                                      const JobRecord& record) const;
@@ -64,6 +74,7 @@ class SlurmLauncher final : public Launcher {
   SlurmOptions options_;
   SlurmPace pace_;
   JobPrograms programs_;
+  std::optional<long> cores_of_a_node_;          ///< of the largest; empty: not known
   mutable SlurmQueue queue_;                     ///< asking does not change the launcher
   mutable RestWatch rest_;                       ///< nor does watching
   std::map<std::string, Job> jobs_;              ///< that were started or adopted and have not ended, by name

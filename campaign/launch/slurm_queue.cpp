@@ -155,18 +155,17 @@ void SlurmQueue::refresh() {
 void SlurmQueue::take(std::vector<QueuedJob> jobs) {
   jobs_.clear();
   for (QueuedJob& job : jobs) {
-    std::string name = job.name;
-    jobs_.emplace(std::move(name), std::move(job));
+    std::vector<QueuedJob>& of_its_name = jobs_[job.name];
+    of_its_name.push_back(std::move(job));
   }
 }
 
 void SlurmQueue::hurry() { pause_ = std::min(pause_, pace_.shortest); }
 
-std::vector<QueuedJob> SlurmQueue::called(const std::string& name) const {
-  std::vector<QueuedJob> found;
-  const auto [first, last] = jobs_.equal_range(name);
-  for (auto job = first; job != last; ++job) found.push_back(job->second);
-  return found;
+const std::vector<QueuedJob>& SlurmQueue::called(const std::string& name) const {
+  static const std::vector<QueuedJob> kNone;
+  const auto found = jobs_.find(name);
+  return found == jobs_.end() ? kNone : found->second;
 }
 
 std::unordered_map<std::string, QueuedJob> SlurmQueue::past(const std::vector<std::string>& names) const {

@@ -42,6 +42,9 @@ struct SlurmPace {
   /// A run directory in which nothing was written for so long is at rest. A network file system may show us a
   /// file a minute late.
   double quiet = 90.0;
+  /// So long a job with room for more cases waits for them: those of a job that reaches its time limit end
+  /// one after the other, and go on together.
+  double gathering = 20.0;
 };
 
 class SlurmQueue {
@@ -59,7 +62,7 @@ class SlurmQueue {
   /// When the question was asked whose answer holds, monotonic seconds.
   [[nodiscard]] double asked_at() const { return asked_at_; }
   /// Every job of this name; of most names there is one.
-  [[nodiscard]] std::vector<QueuedJob> called(const std::string& name) const;
+  [[nodiscard]] const std::vector<QueuedJob>& called(const std::string& name) const;
   /// What the accounting knows about jobs that are no longer in the queue, by name, the newest of each;
   /// nothing where there is no accounting.
   [[nodiscard]] std::unordered_map<std::string, QueuedJob> past(const std::vector<std::string>& names) const;
@@ -68,8 +71,8 @@ class SlurmQueue {
   void take(std::vector<QueuedJob> jobs);
 
   SlurmPace pace_;
-  std::unordered_multimap<std::string, QueuedJob> jobs_;  ///< by name
-  std::string text_;                                      ///< of the last answer, to see whether it changes
+  std::unordered_map<std::string, std::vector<QueuedJob>> jobs_;  ///< by name
+  std::string text_;  ///< of the last answer, to see whether it changes
   bool answered_ = false;
   std::string trouble_;
   double asked_at_ = -1e9, pause_ = 0.0;

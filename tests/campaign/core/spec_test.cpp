@@ -139,6 +139,8 @@ TEST(Spec, RefusesWhatSlurmShallNotBeAsked) {
   EXPECT_NE(
       complaint({{"time_limit_minutes", 2}, {"signal_seconds", 120}}).find("/execution/slurm/signal_seconds"),
       std::string::npos);
+  EXPECT_NE(complaint({{"nodes", 2}, {"cases_per_job", 4}}).find("share one node"), std::string::npos);
+  EXPECT_EQ(complaint({{"nodes", 1}, {"cases_per_job", 4}}), "");
   EXPECT_NE(complaint({{"nodes", 4294967297}}).find("/execution/slurm/nodes"), std::string::npos);
 }
 

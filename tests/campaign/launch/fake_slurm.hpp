@@ -21,6 +21,7 @@ class FakeSlurm {
     setenv("PATH", (folder_.path() / "bin:").string().append(path_).c_str(), 1);
     play("squeue", "cat queue");
     play("scancel", "");
+    play("sinfo", "exit 1");
     play("sacct", "echo 'Slurm accounting storage is disabled' >&2; exit 1");
     play("sbatch", kAccept + "echo $number");
     set_queue({});
@@ -73,7 +74,12 @@ class FakeSlurm {
 };
 
 /// Nobody waits in a test longer than it has to.
-inline constexpr campaign::SlurmPace kQuickPace{
-    .shortest = 0.0, .longest = 0.0, .longest_silence = 0.0, .answer = 1.0, .doubt = 0.3, .quiet = 0.3};
+inline constexpr campaign::SlurmPace kQuickPace{.shortest = 0.0,
+                                                .longest = 0.0,
+                                                .longest_silence = 0.0,
+                                                .answer = 1.0,
+                                                .doubt = 0.3,
+                                                .quiet = 0.3,
+                                                .gathering = 0.5};
 
 }  // namespace softwall::test

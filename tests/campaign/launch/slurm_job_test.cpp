@@ -62,7 +62,8 @@ TEST(SlurmJob, ScriptEndsInTheSolverUnderMpirunAndQuotesItsWords) {
   const auto run = folder.path() / "a $(touch pwned) 'b'";
   std::filesystem::create_directories(run);
   auto slurm = options({{"start_options", {"--bind-to", "none"}}});
-  const std::string text = script_text(request_in(run), slurm, {"/opt/mpi run", "/opt/softwall-dns"});
+  const std::string text =
+      script_text(request_in(run), slurm, {"/opt/mpi run", "/opt/softwall-dns"}, "# job: a\n");
   EXPECT_NE(text.find("\nexec '/opt/mpi run' --bind-to none -n 4 /opt/softwall-dns "), std::string::npos)
       << text;
   EXPECT_TRUE(text.ends_with(" --attempt 3\n")) << text;
@@ -72,7 +73,7 @@ TEST(SlurmJob, ScriptEndsInTheSolverUnderMpirunAndQuotesItsWords) {
 TEST(SlurmJob, AJobThatSlurmBeginsAgainEndsAtOnce) {
   const test::TemporaryFolder folder;
   const auto script =
-      folder.write("job.sh", script_text(request_in(folder.path()), options(), {"/bin/echo", "begun"}));
+      folder.write("job.sh", script_text(request_in(folder.path()), options(), {"/bin/echo", "begun"}, ""));
   const auto run = [&](const std::string& setting) {
     const std::string log = (folder.path() / "log").string();
     const int status = std::system((setting + " sh " + script.string() + " > " + log).c_str());
@@ -84,23 +85,24 @@ TEST(SlurmJob, AJobThatSlurmBeginsAgainEndsAtOnce) {
 }
 
 TEST(SlurmJob, ArgumentsAskForWhatTheCampaignAsksFor) {
-  const auto plain = submit_arguments(request_in("/data/w/cases/a-0"), options());
+  const auto plain = submit_arguments(request_in("/data/w/cases/a-0"), options(), "softwall.a");
   for (const char* word :
-       {"--parsable", "--no-requeue", "--dependency=singleton", "--ntasks=4", "--open-mode=append",
-        "--chdir=/data/w/cases/a-0", "--output=solver.log", "--signal=B:USR1@120"})
+       {"--parsable", "--job-name=softwall.a", "--no-requeue", "--dependency=singleton", "--ntasks=4",
+        "--open-mode=append", "--chdir=/data/w/cases/a-0", "--output=solver.log", "--signal=B:USR1@120"})
     EXPECT_TRUE(has(plain, word)) << word;
   for (const std::string& word : plain) {
     for (const char* name : {"--account", "--partition", "--time", "--nodes"})
       EXPECT_FALSE(word.starts_with(name));
   }
-  const auto full =
-      submit_arguments(request_in("/data/w/cases/a-0"), options({{"account", "flow"},
-                                                                 {"partition", "long"},
-                                                                 {"time_limit_minutes", 90},
-                                                                 {"nodes", 2},
-                                                                 {"signal_seconds", 300},
-                                                                 {"start_with", "srun"},
-                                                                 {"options", {"--constraint=a|b"}}}));
+  const auto full = submit_arguments(request_in("/data/w/cases/a-0"),
+                                     options({{"account", "flow"},
+                                              {"partition", "long"},
+                                              {"time_limit_minutes", 90},
+                                              {"nodes", 2},
+                                              {"signal_seconds", 300},
+                                              {"start_with", "srun"},
+                                              {"options", {"--constraint=a|b"}}}),
+                                     "softwall.a");
   for (const char* word : {"--account=flow", "--partition=long", "--time=90", "--nodes=2",
                            "--signal=USR1@300", "--constraint=a|b"})
     EXPECT_TRUE(has(full, word)) << word;
@@ -122,7 +124,7 @@ TEST(SlurmJob, AsksForNoMoreTimeThanTheCaseIsKnownToNeed) {
   EXPECT_EQ(time_limit(request, slurm), 600) << "nothing has been measured";
   request.needed_seconds = 3600;
   EXPECT_EQ(time_limit(request, slurm), 78) << "a quarter more, a minute to start, two after the signal";
-  EXPECT_TRUE(has(submit_arguments(request, slurm), "--time=78"));
+  EXPECT_TRUE(has(submit_arguments(request, slurm, "softwall.a"), "--time=78"));
   EXPECT_EQ(solver_seconds(request, slurm), 78 * 60.0 - 60.0);
   request.needed_seconds = 1;
   EXPECT_EQ(time_limit(request, slurm), 10) << "never less";

@@ -133,6 +133,14 @@ TEST_F(SlurmLauncherTest, WhatSlurmRefusesIsSaidInItsWords) {
   EXPECT_NE(slurm_.calls("sbatch").front().find("--test-only"), std::string::npos);
 }
 
+TEST_F(SlurmLauncherTest, WhatTheClusterCanNeverRunIsRefusedAlsoWhileItsNodesAreDown) {
+  slurm_.play("sbatch",
+              "echo 'allocation failure: Requested node configuration is not available' >&2; exit 1");
+  slurm_.play("sinfo", "echo 'main|1|4|'");
+  EXPECT_NO_THROW(launcher_.prepare("/opt/softwall-dns", 4));
+  EXPECT_THROW(launcher_.prepare("/opt/softwall-dns", 5), BadInput);
+}
+
 TEST_F(SlurmLauncherTest, WhatMayPassIsNoRefusal) {
   for (const char* words : {"Unable to contact slurm controller (connect failure)", "Socket timed out",
                             "Requested node configuration is not available"}) {
