@@ -2,6 +2,7 @@
 all that anybody does, and the results are those of a campaign that nobody disturbed, bit for bit. Started by chaos.sh."""
 
 import argparse
+import contextlib
 import json
 import random
 import resource
@@ -10,6 +11,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
+from typing import NamedTuple
 
 from failing_io import LIBRARY, FailingIo
 from faults import FAULTS
@@ -18,7 +20,6 @@ from harness import CAMPAIGN, Campaign, OneSolverOnly, changed
 LONGER = {"end_time": 1.6, "checkpoint_steps": 20}
 DOCUMENT = changed(CAMPAIGN, run=LONGER, precursor={"run": LONGER})
 DISK = "24m"
-PATIENCE = 120  # seconds that nothing here takes: more is a hang
 TRIES = 6  # resumes without a fault, after which a person would have to do something
 
 
@@ -29,15 +30,42 @@ def log(text):
 log.start = time.monotonic()
 
 
+class Setting(NamedTuple):
+    """What is run, and what may happen to it."""
+
+    document: dict
+    faults: list
+    pauses: tuple  # seconds between two faults: shortest, longest
+    patience: float  # seconds that nothing here takes: more is a hang
+    cluster: object = None  # a Slurm, where attempts are its jobs
+
+
+ON_THIS_MACHINE = Setting(DOCUMENT, FAULTS, (0.05, 0.9), 120)
+
+
+@contextlib.contextmanager
+def under_slurm(cases_per_job):
+    """A solver killed without a word is waited for for a minute and a half, and that may happen to one after the other."""
+    import slurm_faults  # needs nothing of Slurm's before it is asked for
+
+    cluster = slurm_faults.TendedCluster()
+    try:
+        slurm = {"partition": "main", "cases_per_job": cases_per_job}
+        document = changed(DOCUMENT, execution={**DOCUMENT["execution"], "launcher": "slurm", "slurm": slurm, "cores": 4})
+        yield Setting(document, slurm_faults.FAULTS, (0.3, 3), 600, cluster)
+    finally:
+        cluster.stop()
+
+
 class Trial:
     """One campaign from its start to its end, on a small disk of its own where one can be mounted."""
 
-    def __init__(self, count):
-        self.count = count
-        self.campaign = Campaign(DOCUMENT)
+    def __init__(self, count, setting):
+        self.count, self.setting, self.cluster = count, setting, setting.cluster
+        self.campaign = Campaign(setting.document)
         mount = ["mount", "-t", "tmpfs", "-o", f"size={DISK}", "softwall-chaos", str(self.campaign.folder)]
         self.disk = subprocess.run(mount, capture_output=True, check=False).returncode == 0
-        self.campaign.write(DOCUMENT)
+        self.campaign.write(setting.document)
         self.failing = FailingIo(self.campaign) if LIBRARY.exists() else None
         self.damaged = set()  # checkpoints
         self.acknowledged = {}  # results of finished cases that the store has told of, by case id
@@ -63,17 +91,17 @@ class Trial:
 
     def wait_for_runner(self, what):
         try:
-            return self.runner.wait(PATIENCE)
+            return self.runner.wait(self.setting.patience)
         except subprocess.TimeoutExpired:
             self.count["hangs"] += 1
-            log(f"WRONG: softwall did not get {what} in {PATIENCE} s\n{self.campaign.said()[-3000:]}")
+            log(f"WRONG: softwall did not get {what} in {self.setting.patience} s\n{self.campaign.said()[-3000:]}")
             self.campaign.kill_all(self.runner)
             return None
 
     def expect_refusal(self, second, first):
         """5 as long as the other one works; otherwise the second may have done anything that one alone may do."""
         try:
-            status = second.wait(PATIENCE)
+            status = second.wait(self.setting.patience)
         except subprocess.TimeoutExpired:
             second.kill()
             status = second.wait()
@@ -95,7 +123,7 @@ class Trial:
             while True:
                 if done < faults and self.runner.poll() is None:
                     try:
-                        self.runner.wait(generator.uniform(0.05, 0.9))
+                        self.runner.wait(generator.uniform(*self.setting.pauses))
                     except subprocess.TimeoutExpired:
                         done += self.disturb(generator)
                         tries = 0
@@ -114,7 +142,7 @@ class Trial:
 
     def disturb(self, generator):
         self.note_results()
-        fault = generator.choice(FAULTS)
+        fault = generator.choice(self.setting.faults)
         told = fault(self, generator)
         if told is None:
             return 0
@@ -149,6 +177,8 @@ class Trial:
             self.wrong(verdict.stdout + verdict.stderr)
         for left in [*self.campaign.folder.rglob("*.tmp*"), *self.campaign.solvers().values()]:
             self.wrong(f"left over: {left}")
+        if self.cluster and (jobs := self.cluster.jobs_of(self.campaign)):
+            self.wrong(f"jobs are left: {jobs}")
         results, data = self.campaign.results(), self.campaign.final_data()
         now = {(row["case_id"], row["quantity"]): (row["value"], row["ci95"]) for row in results}
         lost = [case for case, rows in self.acknowledged.items()
@@ -170,8 +200,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seed", type=int, default=random.randrange(2**32))
     parser.add_argument("--faults", type=int, default=20)
+    parser.add_argument("--slurm", action="store_true", help="attempts are jobs of a Slurm of one node, begun for this")
+    parser.add_argument("--cases-per-job", type=int, default=1, help="with --slurm: so many cases share a job")
     options = parser.parse_args()
     log(f"seed {options.seed}")
+    with under_slurm(options.cases_per_job) if options.slurm else contextlib.nullcontext(ON_THIS_MACHINE) as setting:
+        sys.exit(run_trials(setting, options))
+
+
+def run_trials(setting, options):
+    """1 when anything has gone wrong."""
     generator, count = random.Random(options.seed), Counter()
     reference = Campaign(DOCUMENT)
     answer = reference.call("run")
@@ -179,7 +217,7 @@ def main():
         sys.exit(answer.stderr)
     faults = campaigns = 0
     while faults < options.faults:
-        trial = Trial(count)
+        trial = Trial(count, setting)
         try:
             faults += trial.run(generator, options.faults - faults)
             trial.judge(reference)
@@ -191,9 +229,9 @@ def main():
     wrong = {name: count[name] for name in ("results_lost", "run_twice", "manual_steps", "hangs", "unsound")}
     verdict = {"faults": faults, **wrong, "identical_results": count["other_results"] == 0, "campaigns": campaigns,
                "seed": options.seed, "seconds": round(time.monotonic() - log.start),
-               "kinds": {fault.__name__: count[fault.__name__] for fault in dict.fromkeys(FAULTS)}}
+               "kinds": {fault.__name__: count[fault.__name__] for fault in dict.fromkeys(setting.faults)}}
     print(json.dumps(verdict), flush=True)
-    sys.exit(any(wrong.values()) or not verdict["identical_results"])
+    return int(any(wrong.values()) or not verdict["identical_results"])
 
 
 if __name__ == "__main__":

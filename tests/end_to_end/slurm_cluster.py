@@ -15,6 +15,8 @@ import tempfile
 import time
 from pathlib import Path
 
+from harness import parent_of
+
 SBIN = os.environ.get("PATH", "") + ":/usr/sbin:/sbin"
 PR_SET_PDEATHSIG = 1
 UP = ("idle", "mixed", "allocated", "completing")  # states of a node that takes jobs, or will in a moment
@@ -47,7 +49,7 @@ def die_with_parent():
 # slots than there are cores.
 CONFIGURATION = """\
 ClusterName=softwall
-SlurmctldHost={host}(127.0.0.1)
+SlurmctldHost={host}({address})
 SlurmctldPort={controller_port}
 SlurmdPort={node_port}
 SlurmUser={user}
@@ -56,11 +58,11 @@ AuthType=auth/munge
 AuthInfo=cred_expire=5,socket={folder}/munge.socket
 CredType=cred/munge
 StateSaveLocation={folder}/state
-SlurmdSpoolDir={folder}/spool
+SlurmdSpoolDir={folder}/spool-%n
 SlurmctldPidFile={folder}/slurmctld.pid
-SlurmdPidFile={folder}/slurmd.pid
+SlurmdPidFile={folder}/slurmd-%n.pid
 SlurmctldLogFile={folder}/slurmctld.log
-SlurmdLogFile={folder}/slurmd.log
+SlurmdLogFile={folder}/slurmd-%n.log
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 SwitchType=switch/none
@@ -77,12 +79,26 @@ SlurmctldTimeout=30
 SlurmdTimeout=5
 MessageTimeout=5
 SlurmdParameters=config_overrides
-NodeName={host} NodeAddr=127.0.0.1 CPUs={slots} SocketsPerBoard=1 CoresPerSocket={slots} ThreadsPerCore=1 State=UNKNOWN
-PartitionName=main Nodes={host} Default=YES MaxTime=INFINITE DefaultTime=10 State=UP
+{nodes}
+PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE DefaultTime=10 State=UP
 """
 
 
+def command_of(pid):
+    try:
+        return Path(f"/proc/{pid}/comm").read_text().strip()
+    except OSError:
+        return ""
+
+
+def node_line(name, address, slots):
+    return (f"NodeName={name} NodeAddr={address} CPUs={slots} SocketsPerBoard=1 CoresPerSocket={slots} ThreadsPerCore=1"
+            " State=UNKNOWN")
+
+
 class SlurmCluster:
+    address = "127.0.0.1"  # of the controller
+
     def __init__(self, slots=4):
         self.folder = Path(tempfile.mkdtemp(prefix="softwall-slurm-"))
         self.daemons = {}
@@ -98,11 +114,10 @@ class SlurmCluster:
         for name in ("sbatch", "squeue", "scancel", "scontrol"):
             program(name)
         (self.folder / "state").mkdir()
-        (self.folder / "spool").mkdir()
         self.folder.chmod(0o755)
         (self.folder / "slurm.conf").write_text(CONFIGURATION.format(
-            host=self.host, folder=self.folder, slots=slots, user=pwd.getpwuid(os.geteuid()).pw_name,
-            controller_port=free_port(), node_port=free_port()))
+            host=self.host, address=self.address, folder=self.folder, nodes=self.nodes(slots),
+            user=pwd.getpwuid(os.geteuid()).pw_name, controller_port=free_port(), node_port=free_port()))
         (self.folder / "cgroup.conf").write_text("CgroupPlugin=cgroup/v1\n")
         key = self.folder / "munge.key"
         key.write_bytes(os.urandom(1024))
@@ -114,14 +129,19 @@ class SlurmCluster:
         self.start_controller()
         self.start_node()
 
-    def launch(self, name, *arguments):
+    def nodes(self, slots):
+        """Lines of slurm.conf."""
+        return node_line(self.host, "127.0.0.1", slots)
+
+    def launch(self, name, *arguments, within=()):
+        """A daemon; within: a command that it is an argument of."""
         with open(self.folder / f"{name}.said", "ab") as said:
             self.daemons[name] = subprocess.Popen(
-                [program(name), *arguments], stdin=subprocess.DEVNULL, stdout=said, stderr=said, cwd="/",
+                [*within, program(name), *arguments], stdin=subprocess.DEVNULL, stdout=said, stderr=said, cwd="/",
                 env=self.environment, preexec_fn=die_with_parent)
 
-    def start_controller(self):
-        self.launch("slurmctld", "-D", "-f", str(self.folder / "slurm.conf"))
+    def start_controller(self, *options):
+        self.launch("slurmctld", "-D", "-f", str(self.folder / "slurm.conf"), *options)
         self.wait(lambda: self.call("sinfo", "--noheader").returncode == 0, "slurmctld")
 
     def start_node(self):
@@ -132,6 +152,16 @@ class SlurmCluster:
         """SIGKILL of a daemon, at once."""
         self.daemons[name].kill()
         self.daemons.pop(name).wait()
+
+    def fail_node(self):
+        """SIGKILL of the node's daemon and of those of its that watch over jobs; what jobs had started goes on."""
+        self.kill("slurmd")
+        ours = dict(self.processes())
+        watchers = {pid for pid, name in ours.items() if name == "slurmstepd"}
+        watchers |= {parent for parent in map(parent_of, ours) if command_of(parent) == "slurmstepd"}
+        for pid in watchers:  # one that has renamed itself does not show its environment
+            os.kill(pid, signal.SIGKILL)
+        self.call("scontrol", "update", f"nodename={self.host}", "state=down", "reason=failed")
 
     def node_state(self):
         return self.call("sinfo", "--noheader", "--format=%T").stdout.strip()
@@ -167,7 +197,7 @@ class SlurmCluster:
         return numbers[-1] if numbers else None
 
     def processes(self):
-        """Everything that belongs to this cluster: daemons, those that watch over jobs, jobs."""
+        """(pid, name) of everything that belongs to this cluster: daemons, those that watch over jobs, jobs."""
         mark = str(self.folder).encode()
         for entry in Path("/proc").iterdir():
             if not entry.name.isdigit() or int(entry.name) == os.getpid():
@@ -177,7 +207,7 @@ class SlurmCluster:
             except OSError:
                 continue
             if mark in text:
-                yield int(entry.name)
+                yield int(entry.name), command_of(entry.name)
 
     def stop(self):
         for name in ("slurmd", "slurmctld", "munged"):
@@ -185,7 +215,7 @@ class SlurmCluster:
                 self.kill(name)
         for _ in range(20):
             left = list(self.processes())
-            for pid in left:
+            for pid, _ in left:
                 try:
                     os.kill(pid, signal.SIGKILL)
                 except ProcessLookupError:
