@@ -16,6 +16,8 @@ SOFTWALL = Path(os.environ.get("SOFTWALL", "build/bin/softwall")).resolve()
 MARK = b"SOFTWALL_RUN_DIRECTORY="  # in the environment of mpirun and of every rank
 HEADER_BYTES = 4096  # of a checkpoint: one JSON object, then the data
 WAIT = 300  # seconds; far beyond what anything here takes, so that a hang is a failure
+# A shell that runs a test in the background lets it ignore Ctrl-C, and softwall, started so, would ignore it as well.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # Small enough for a second or two a case, with everything in it that a campaign has.
 CAMPAIGN = {

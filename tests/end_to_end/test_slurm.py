@@ -3,13 +3,15 @@
 Skipped, in words, where no Slurm can be started: its packages are not installed, or its daemons do not come up.
 """
 
+import contextlib
+import json
 import os
 import shutil
 import signal
 import sys
 import unittest
 
-from harness import CAMPAIGN, Campaign, EndToEndTest, changed
+from harness import CAMPAIGN, Campaign, EndToEndTest, OneSolverOnly, changed
 from slurm_cluster import CannotStart, SlurmCluster
 
 # Two cases of a few seconds that start by themselves.
@@ -56,12 +58,32 @@ class Slurm(EndToEndTest):
         self.addCleanup(runner.kill)
         return runner
 
-    def wait_for_jobs(self, campaign):
-        """Until both compute, and have something to lose. A controller that was killed before may drain the node late."""
-        def at_work(label):
-            return any(campaign.folder.glob(f"cases/{label}-*/checkpoints/checkpoint-*.h5"))
+    def hold(self, campaign, labels=LABELS):
+        """Until all have computed and written something to lose, and stand still there: whatever happens to a campaign,
+        however slow this machine is just now, happens while its jobs are at work. A controller that was killed before may
+        drain the node late."""
+        held = set()
 
-        campaign.wait_for(lambda: self.cluster.bring_node_back() and all(map(at_work, LABELS)), "both to compute", 120)
+        def all_are_held():
+            self.cluster.bring_node_back()
+            for label in set(labels) - held:
+                if any(campaign.folder.glob(f"cases/{label}-*/checkpoints/checkpoint-*.h5")):
+                    self.send(campaign, signal.SIGSTOP, label)
+                    held.add(label)
+            return held == set(labels)
+
+        self.addCleanup(self.release, campaign)
+        campaign.wait_for(all_are_held, "all to compute", 240)
+
+    def release(self, campaign):
+        self.send(campaign, signal.SIGCONT)
+
+    def send(self, campaign, what, label=""):
+        """To the ranks. An mpirun that stood still would be told to hang up by the kernel when what had started it dies."""
+        for pid, (name, place) in campaign.solvers().items():
+            if name.startswith("softwall-dns") and f"/cases/{label}" in place:
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(pid, what)
 
     def job_of(self, campaign, label):
         return self.cluster.number_of(f"{campaign.folder.name}.{label}-")
@@ -69,7 +91,7 @@ class Slurm(EndToEndTest):
     def jobs_of(self, campaign):
         return [state for name, state in self.cluster.jobs().items() if f".{campaign.folder.name}." in name]
 
-    def assert_ends_as_if_undisturbed(self, campaign, runner, seconds=240):
+    def assert_ends_as_if_undisturbed(self, campaign, runner, seconds=400):
         """Seconds, mostly; a minute and a half more where a solver was killed without a word."""
         campaign.wait_for(lambda: self.cluster.bring_node_back() and runner.poll() is not None, "its end", seconds)
         self.assertEqual(runner.returncode, 0, campaign.said())
@@ -105,14 +127,17 @@ class Slurm(EndToEndTest):
         self.assertIn("Invalid partition name specified", answer.stderr)
         self.assertEqual(list(campaign.folder.glob("cases/*")), [])
         self.assertIn("Invalid partition name specified", campaign.call("plan").stderr)
+        campaign.write(changed(SMALL, execution={**SMALL["execution"], "ranks": 8}))
+        self.assertIn("its partitions have at most 4 cores", campaign.call("plan").stderr)
 
     def test_03_ranks_may_be_started_by_srun(self):
         document = changed(SMALL, sweep={"grid": {"G": [1]}})
         document["execution"]["slurm"].update(start_with="srun", start_options=["--mpi=pmix_v4"])
         campaign, runner = self.started(document)
-        campaign.wait_for_checkpoint("G=1")
+        self.hold(campaign, ["G=1"])
         self.cluster.call("scancel", "--signal=USR1", self.job_of(campaign, "G=1"))
-        self.assertEqual(runner.wait(60), 0, campaign.said())
+        self.release(campaign)
+        self.assertEqual(runner.wait(240), 0, campaign.said())
         self.assertEqual(self.outcomes(campaign, "G=1"), ["interrupted", "finished"])
 
     # -- what happens to jobs ---------------------------------------------------------------------------------
@@ -127,13 +152,14 @@ class Slurm(EndToEndTest):
         os.environ["PATH"] = f"{folder}:{os.environ['PATH']}"
         self.addCleanup(os.environ.update, PATH=os.environ["PATH"].partition(":")[2])
         campaign, runner = self.started()
-        self.wait_for_jobs(campaign)
+        self.hold(campaign)
         requeued = self.job_of(campaign, "G=2")
         self.cluster.call("scancel", self.job_of(campaign, "G=1"))
         refused = self.cluster.call("scontrol", "requeue", requeued)
         self.assertNotEqual(refused.returncode, 0, "softwall asks Slurm not to run a job again by itself")
         self.cluster.call("scontrol", "update", f"jobid={requeued}", "requeue=1")
         self.assertEqual(self.cluster.call("scontrol", "requeue", requeued).returncode, 0)
+        self.release(campaign)
         self.assert_ends_as_if_undisturbed(campaign, runner)
         for label in LABELS:
             first, *more = self.outcomes(campaign, label)
@@ -145,24 +171,87 @@ class Slurm(EndToEndTest):
 
     def test_05_jobs_go_on_without_softwall_which_finds_them_again(self):
         campaign, runner = self.started()
-        self.wait_for_jobs(campaign)
+        self.hold(campaign)
         runner.kill()
         runner.wait()
         runner = self.runner_of(campaign, "resume")
-        campaign.wait_for(lambda: campaign.said().count("it goes on; waiting for its end") == 2, "both to be adopted", 30)
+        campaign.wait_for(lambda: campaign.said().count("it goes on; waiting for its end") == 2, "both to be adopted", 240)
         runner.send_signal(signal.SIGINT)
-        self.assertEqual(runner.wait(30), 4, campaign.said())
+        self.assertEqual(runner.wait(240), 4, campaign.said())
+        self.release(campaign)
         self.assertIn("go on without softwall", campaign.said())
         self.assert_ends_as_if_undisturbed(campaign, self.runner_of(campaign, "resume"))
         for label in LABELS:
-            self.assertEqual(self.outcomes(campaign, label), ["finished"])
+            self.assertEqual(self.outcomes(campaign, label), ["finished"], campaign.said())
         self.assertEqual(self.jobs_of(campaign), ["COMPLETED", "COMPLETED"], "no job was submitted twice")
+
+    # -- what happens to the machine --------------------------------------------------------------------------
+
+    def test_08_a_node_that_fails_keeps_its_processes_and_nobody_joins_them(self):
+        """Slurm gives the job up, and what it had started goes on computing: the attempt ends when its last process has."""
+        campaign, runner = self.started()
+        with OneSolverOnly(campaign) as watch:
+            self.hold(campaign)
+            self.cluster.fail_node()
+            campaign.wait_for(lambda: "NODE_FAIL" in self.jobs_of(campaign), "Slurm to give the jobs up", 240)
+            self.assertNotEqual(campaign.solvers(), {}, "the test is about processes that go on")
+            self.cluster.start_node()
+            self.release(campaign)
+            self.assert_ends_as_if_undisturbed(campaign, runner)
+        self.assertEqual(watch.crowded, [])
+        for label in LABELS:
+            self.assertEqual(self.outcomes(campaign, label), ["finished"], campaign.said())
+
+    def test_09_a_node_that_fails_with_all_its_processes_costs_an_attempt_and_no_case(self):
+        campaign, runner = self.started()
+        with OneSolverOnly(campaign) as watch:
+            self.hold(campaign)
+            self.cluster.fail_node()
+            campaign.kill_all()
+            campaign.wait_for(lambda: "NODE_FAIL" in self.jobs_of(campaign), "Slurm to give the jobs up", 240)
+            self.cluster.start_node()
+            self.assert_ends_as_if_undisturbed(campaign, runner)
+        self.assertEqual(watch.crowded, [])
+        for label in LABELS:
+            self.assertEqual(self.outcomes(campaign, label), ["node failure", "finished"])
+
+    # -- several cases in one job -------------------------------------------------------------------------------
+
+    def test_10_cases_that_share_a_job_keep_their_own_attempts_and_are_stopped_together(self):
+        document = changed(SMALL)
+        document["execution"]["slurm"]["cases_per_job"] = 2
+        campaign = self.campaign(document)
+        self.assertIn("up to 2 cases a job", campaign.call("plan").stdout)
+        self.cluster.wait(self.cluster.bring_node_back, "the node")
+        runner = self.runner_of(campaign)
+        self.hold(campaign)
+        self.cluster.call("scancel", "--batch", "--signal=USR1", self.cluster.number_of("2-cases"))  # as before a time limit
+        self.release(campaign)
+        campaign.wait_for(lambda: campaign.said().count("stopped on request") == 2, "both to be stopped", 240)
+        self.hold_again(campaign)
+        self.cluster.call("scancel", self.cluster.number_of("2-cases"))
+        self.assert_ends_as_if_undisturbed(campaign, runner)
+        self.assertEqual(len(self.jobs_of(campaign)), 3, "one for both, each time")
+        for label in LABELS:
+            first, second, *rest = self.outcomes(campaign, label)
+            self.assertEqual((first, rest), ("interrupted", ["finished"]))
+            self.assertIn(second, ("interrupted", "killed"))
+
+    def hold_again(self, campaign):
+        """In their second attempts, once these have made steps of their own."""
+        def have_got_further():
+            reports = [json.loads((campaign.directory(label) / "status.json").read_text()) for label in LABELS]
+            reached = [row["step"] for row in campaign.query("SELECT step FROM attempts WHERE attempt = 1")]
+            return all(report["attempt"] == 2 and report["step"] > max(reached) for report in reports)
+
+        campaign.wait_for(have_got_further, "the second attempts", 240)
+        self.send(campaign, signal.SIGSTOP)
 
     # -- what was begun first ---------------------------------------------------------------------------------
 
     def test_06_before_the_time_limit_a_signal_asks_for_a_checkpoint_and_another_job_goes_on(self):
         again = "G=8: submitted, from t = "
-        self.limited.wait_for(lambda: again in self.limited.said(), "the second job", 90)
+        self.limited.wait_for(lambda: again in self.limited.said(), "the second job", 240)
         first = self.limited.query("SELECT outcome, reason, wall_seconds AS s FROM attempts WHERE attempt = 1")[0]
         self.assertEqual((first["outcome"], first["reason"]), ("interrupted", "stopped on request"))
         self.assertLess(first["s"], 60)
@@ -173,11 +262,12 @@ class Slurm(EndToEndTest):
 
     def test_07_a_controller_that_is_killed_loses_no_case_and_runs_none_twice(self):
         campaign, runner = self.started()
-        self.wait_for_jobs(campaign)
+        self.hold(campaign)
         self.cluster.kill("slurmctld")  # it may not have saved yet what it knows of the jobs
-        campaign.wait_for(lambda: "Slurm does not answer" in campaign.said(), "the silence to be told", 30)
+        campaign.wait_for(lambda: "Slurm does not answer" in campaign.said(), "the silence to be told", 240)
         self.assertIsNone(runner.poll(), "silence is no end")
         self.cluster.start_controller()
+        self.release(campaign)
         self.assert_ends_as_if_undisturbed(campaign, runner)
 
 
