@@ -65,7 +65,8 @@ void create(const path& file) {
   }
 }
 
-/// What can be seen without opening: for SQLite, a file without even a first page is an empty database.
+/// What can be seen without opening: for SQLite, a file without even a first page is an empty database, and a
+/// page without its end is whole.
 void check_file(const path& file) {
   if (!std::filesystem::is_regular_file(file)) refuse(file, "is not a file");
   constexpr std::uintmax_t kSmallestPage = 512;
@@ -75,6 +76,13 @@ void check_file(const path& file) {
            (size == 0 ? "is empty (0 bytes)" : "holds nothing (" + std::to_string(size) + " bytes)") +
                std::string(" and is no results store: restore a backup, or make it again from the run "
                            "directories"),
+           SQLITE_CORRUPT);
+  }
+  // SQLite fills up what is missing of the last page, where the text of some row may have stood.
+  if (size % kSmallestPage != 0 && !has_unfinished_change(file)) {
+    refuse(file,
+           "is damaged: cut off within a page (" + std::to_string(size) +
+               " bytes); restore a backup, or make it again from the run directories",
            SQLITE_CORRUPT);
   }
 }

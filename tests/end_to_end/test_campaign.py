@@ -128,7 +128,7 @@ class WholeCampaign(EndToEndTest):
         before, good = self.shared.results(), store.read_bytes()
         attempts = "SELECT case_id, attempt, outcome, resumed_from, wall_seconds FROM attempts ORDER BY case_id"
         history = self.shared.query(attempts)
-        for damage in (b"", b"x", b"not a database", good[: len(good) // 2], good[:8192] + bytes(4096) + good[12288:]):
+        for damage in (b"", b"x", b"not a database", good[:-1], good[: len(good) // 2], good[:8192] + bytes(4096) + good[12288:]):
             store.write_bytes(damage)
             mended = self.shared.call("run")
             self.assertEqual(mended.returncode, 0, mended.stderr)
