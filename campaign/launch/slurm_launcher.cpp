@@ -276,7 +276,7 @@ std::vector<EndedAttempt> SlurmLauncher::collect() {
     told_.erase(job.name);
     jobs_.erase(job.record.name);
   }
-  submit_waiting(true);
+  submit_waiting(over.empty());  // what has just ended may go on, and is company for what waits
   return ended;
 }
 

@@ -223,6 +223,22 @@ TEST_F(PackedLauncher, ACaseEndsBeforeItsJobDoes) {
     EXPECT_TRUE(std::filesystem::is_empty(directory)) << "nothing is left over";
 }
 
+TEST_F(PackedLauncher, CasesThatEndOneAfterTheOtherGoOnTogether) {
+  LaunchRequest a = request("a"), b = request("b");
+  static_cast<void>(launcher_.start(a));
+  static_cast<void>(launcher_.start(b));
+  slurm_.move_all("RUNNING");
+  for (LaunchRequest* one : {&a, &b}) {
+    std::ofstream(one->run_directory / "job.end") << "1 85\n";
+    EXPECT_EQ(launcher_.collect().size(), 1U);
+    one->attempt = 2;
+    static_cast<void>(launcher_.start(*one));
+  }
+  const auto calls = slurm_.calls("sbatch");
+  ASSERT_EQ(calls.size(), 2U);
+  EXPECT_NE(calls[1].find("2-cases"), std::string::npos) << calls[1];
+}
+
 TEST_F(PackedLauncher, AJobWhoseAcceptanceWasNotHeardIsFoundAsAWhole) {
   slurm_.play("sbatch", test::FakeSlurm::kAccept + "kill -9 $$");
   static_cast<void>(launcher_.start(request("a")));
