@@ -4,6 +4,8 @@
 Prints the file of each figure, and why one could not be drawn."""
 
 import argparse
+import contextlib
+import io
 import pathlib
 import runpy
 import sys
@@ -48,11 +50,13 @@ def draw(name, options, output):
     words += ["--style", options.style]
     before, sys.argv = sys.argv, words
     try:
-        runpy.run_path(words[0], run_name="__main__")
+        with contextlib.redirect_stdout(io.StringIO()):  # numbers that a script prints for who calls it by itself
+            runpy.run_path(words[0], run_name="__main__")
     except SystemExit as end:
         return str(end.code) if end.code else None
     finally:
         sys.argv = before
+    print(output)
     return None
 
 

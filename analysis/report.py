@@ -27,10 +27,12 @@ STYLE = (pathlib.Path(__file__).parent / "report.css").read_text()
 TITLES = {"time_series": "Friction and deformation in time", "friction": "Friction Reynolds numbers",
           "mean_velocity": "Mean velocity", "log_law": "Logarithmic law",
           "interface_velocity": "Velocity at the interface", "fluctuations": "Velocity fluctuations",
-          "kinetic_energy": "Turbulent kinetic energy", "wall_surface": "The walls at the last moment",
+          "kinetic_energy": "Turbulent kinetic energy", "energy_budget": "Budget of the turbulent kinetic energy",
+          "wall_surface": "The walls at the last moment",
           "elastic_stress": "Elastic stress", "velocity_planes": "Streamwise velocity along the upper wall",
           "correlations_x": "Correlations along the flow", "correlations_z": "Correlations across the flow",
-          "stress": "Balance of shear stress"}
+          "spectra": "Spectra of the flow", "interface_shape": "Shape of the interface",
+          "wave_speeds": "Speeds of the waves at the interface", "stress": "Balance of shear stress"}
 QUANTITIES = (("re_tau_w", "Re<sub>τ</sub><sup>w</sup>", 1), ("re_tau", "Re<sub>τ</sub>", 1), ("u_max", "u<sub>M</sub>", 3),
               ("y_max", "y<sub>M</sub>", 3), ("d", "d", 3), ("k_plus_dk", "k+Δk", 2), ("delta_u_plus", "ΔU<sup>+</sup>", 1),
               ("delta_max", "δ", 4), ("delta_rms", "δ′", 4))

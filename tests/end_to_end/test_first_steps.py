@@ -66,7 +66,7 @@ class FirstSteps(unittest.TestCase):
     def test_bash_completes_commands_options_and_files(self):
         script = softwall("completion", "bash").stdout
         self.assertEqual(completed(script, "ru"), ["run"])
-        self.assertEqual(completed(script, "status", "--w"), ["--watch"])
+        self.assertEqual(completed(script, "status", "--w"), ["--watch", "--why"])
         self.assertEqual(completed(script, "export", "--cs"), ["--csv"])
         self.assertEqual(completed(script, "help", "sta"), ["status"])
         self.assertEqual(completed(script, "run", ""), [])  # bash offers files then

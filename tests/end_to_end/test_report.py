@@ -47,8 +47,8 @@ class Reports(EndToEndTest):
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
         for file in map(Path, drawn.stdout.split()):
             self.assertEqual(file.read_bytes()[:5], b"%PDF-", file)
-        self.assertEqual(drawn.stderr, "")
-        self.assertEqual(len(drawn.stdout.split()), 13)
+        self.assertRegex(drawn.stderr, r"\Anot drawn, wave_speeds: [^\n]*\n\Z")  # they want a longer run
+        self.assertEqual(len(drawn.stdout.split()), 16)
         (row,) = campaign.query("SELECT re_tau_w FROM results WHERE label = 'G=2_mu=1'")
         labels = campaign.states()
         study = (campaign.folder / "campaign.json").rename(campaign.folder / "study.json")  # the file's own name is free

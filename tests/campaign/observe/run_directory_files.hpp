@@ -33,7 +33,8 @@ inline std::filesystem::path write_checkpoint(const RunFiles& run, const std::st
 }
 
 inline void write_summary(const RunFiles& run, const std::string& case_id, int attempt,
-                          const std::string& outcome, std::int64_t step, double time) {
+                          const std::string& outcome, std::int64_t step, double time,
+                          const std::string& resumed_from = "") {
   std::filesystem::create_directories(run.directory);
   const nlohmann::json summary = {{"format", 1},
                                   {"case_id", case_id},
@@ -45,6 +46,7 @@ inline void write_summary(const RunFiles& run, const std::string& case_id, int a
                                   {"time", time},
                                   {"end_time", time},
                                   {"attempt_steps", step},
+                                  {"resumed_from", resumed_from},
                                   {"wall_seconds", 1.0},
                                   {"ns_per_cell_step", 100.0},
                                   {"diagnostics", {{"divergence", 1e-15}}},

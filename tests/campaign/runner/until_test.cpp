@@ -44,6 +44,7 @@ class UntilTest : public RunnerTest {
   /// is asked to, or at its end time.
   std::optional<int> compute(const LaunchRequest& request, bool asked_to_end) {
     if (request.case_id != id(1)) return finish(request);
+    if (request.attempt > 1 && resumed_from_.empty()) resumed_from_ = RunFiles{}.checkpoint(step_).string();
     step_ += 100;
     const double time = kStepTime * static_cast<double>(step_),
                  end = campaign_.cases[1].definition.run.end_time;
@@ -51,11 +52,11 @@ class UntilTest : public RunnerTest {
     write_so_far(request, step_, time, waves(blocks));
     const RunFiles run{request.run_directory};
     if (time >= end) {
-      test::write_summary(run, request.case_id, request.attempt, "finished", step_, time);
+      test::write_summary(run, request.case_id, request.attempt, "finished", step_, time, resumed_from_);
       return kDone;
     }
     if (!asked_to_end) return std::nullopt;
-    test::write_summary(run, request.case_id, request.attempt, "interrupted", step_, time);
+    test::write_summary(run, request.case_id, request.attempt, "interrupted", step_, time, resumed_from_);
     return static_cast<int>(ExitCode::kInterrupted);
   }
 
@@ -85,6 +86,7 @@ class UntilTest : public RunnerTest {
   }
 
   std::int64_t step_ = 0;
+  std::string resumed_from_;
   std::vector<LaunchRequest> started_;
   std::vector<std::pair<Handle, StopLevel>> stops_;
 };
