@@ -14,13 +14,13 @@ build() {  # preset
   cmake --build --preset "$1" --parallel "$jobs"
 }
 
-# Builds a preset behind what follows, with the time that it leaves: tests wait for most of theirs. Its process group is
-# its own, so that it ends with this script.
+# Builds a preset behind what follows, with the time that nobody else wants: tests wait for most of theirs. Its process
+# group is its own, so that it ends with this script.
 build_log=$(mktemp)
 start_building() {  # preset
   cmake --preset "$1" >"$build_log"
   set -m
-  nice -n 19 cmake --build --preset "$1" --parallel "$jobs" >>"$build_log" 2>&1 &
+  chrt --idle 0 cmake --build --preset "$1" --parallel "$jobs" >>"$build_log" 2>&1 &
   builder=$!
   set +m
 }

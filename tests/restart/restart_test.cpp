@@ -89,9 +89,10 @@ TEST_P(Restart, FromTheEndWhenTheEndIsMoved) {
 }
 
 TEST_P(Restart, AfterASignal) {
-  constexpr int kSteps = 300;
-  const auto whole = reference(kSteps);
-  SolverRun run(a_case(kSteps));
+  // A wave has one cell in z: long enough for the signal to come in time on a busy machine.
+  const int steps = std::string(GetParam().flow).ends_with("wave") ? 2000 : 300;
+  const auto whole = reference(steps);
+  SolverRun run(a_case(steps));
   const pid_t mpirun = run.start(ranks());
   ASSERT_TRUE(run.wait_for_step(0));
   ASSERT_EQ(::kill(mpirun, SIGUSR1), 0);
@@ -101,7 +102,7 @@ TEST_P(Restart, AfterASignal) {
   EXPECT_EQ(run.summary().at("checkpoint"), "checkpoints/" + run.newest_checkpoint().filename().string());
   const Ended ended = run.run(ranks());
   ASSERT_EQ(ended.code, 0) << ended.output;
-  EXPECT_LT(run.summary().at("attempt_steps"), kSteps + 1);
+  EXPECT_LT(run.summary().at("attempt_steps"), steps + 1);
   expect_same_results(run, *whole);
 }
 

@@ -77,7 +77,7 @@ class FakeSlurm {
 inline constexpr campaign::SlurmPace kQuickPace{.shortest = 0.0,
                                                 .longest = 0.0,
                                                 .longest_silence = 0.0,
-                                                .answer = 1.0,
+                                                .answer = 5.0,
                                                 .doubt = 0.3,
                                                 .quiet = 0.3,
                                                 .gathering = 0.5};
