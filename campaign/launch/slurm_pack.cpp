@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <ranges>
+#include <span>
 #include <string_view>
 #include <system_error>
 
@@ -79,7 +79,7 @@ std::string pack_name(const std::vector<LaunchRequest>& cases) {
 
 LaunchRequest together(const std::vector<LaunchRequest>& cases) {
   LaunchRequest all = cases.front();
-  for (const LaunchRequest& one : cases | std::views::drop(1)) {
+  for (const LaunchRequest& one : std::span(cases).subspan(1)) {
     all.ranks += one.ranks;
     const bool known = all.needed_seconds && one.needed_seconds;
     all.needed_seconds = known ? std::max(all.needed_seconds, one.needed_seconds) : std::nullopt;
