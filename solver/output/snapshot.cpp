@@ -32,7 +32,7 @@ grid::Field to_centers(const grid::Field& q, const Place& place, const grid::Gri
   grid::Field center(g, 0);
   const auto from = q.view();
   const auto to = center.view();
-  const auto [x, y, z] = place;
+  const int x = place[0], y = place[1], z = place[2];
   const int ends = (1 + x) * (1 + y) * (1 + z);
   grid::for_each_cell(grid::all_cells(g), [=](int i, int j, int k) {
     grid::Real sum = 0;

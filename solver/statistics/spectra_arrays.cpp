@@ -11,8 +11,6 @@ namespace softwall::statistics {
 
 namespace {
 
-using analysis::NamedArray;
-
 void append_blocks(const std::string& group, const MergingBlocks& blocks, double last_sample,
                    Arrays& arrays) {
   std::vector<double> start, end, weight;
