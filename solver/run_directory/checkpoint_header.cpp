@@ -59,15 +59,35 @@ json header_object(const std::string& text, const std::filesystem::path& file) {
   return object;
 }
 
+/// All members but the check.
+json members_of(const CheckpointHeader& header) {
+  return {{"format", header.format},       {"case_id", header.case_id},
+          {"step", header.step},           {"time", header.time},
+          {"bytes", header.bytes},         {"xxh3", hexadecimal(header.xxh3)},
+          {"precision", header.precision}, {"grid", header.grid},
+          {"length", header.length},       {"git_revision", header.git_revision},
+          {"attempt", header.attempt},     {"ranks", header.ranks}};
+}
+
+/// Throws unless whole numbers stand where they belong: others cannot be turned into one.
+void check_whole_numbers(const json& object) {
+  const auto whole = [](const json& value) { return value.is_number_integer(); };
+  const json& grid = object.at("grid");
+  bool right = grid.is_array() && std::all_of(grid.begin(), grid.end(), whole);
+  for (const char* name : {"step", "bytes", "attempt", "ranks"}) right &= whole(object.at(name));
+  if (!right) throw std::runtime_error("its header has a fraction where a whole number belongs");
+}
+
 CheckpointHeader header_from(json object) {
   const std::string check = object.at("check");
   object.erase("check");
   if (check != header_check(object)) throw std::runtime_error("its header is damaged");
+  if (const json& format = object.at("format"); format != kFormat)
+    throw std::runtime_error("it has format " + format.dump() + ", this program reads format " +
+                             std::to_string(kFormat));
+  check_whole_numbers(object);
   CheckpointHeader header;
-  header.format = object.at("format");
-  if (header.format != kFormat)
-    throw std::runtime_error("it has format " + std::to_string(header.format) +
-                             ", this program reads format " + std::to_string(kFormat));
+  header.format = kFormat;
   header.case_id = object.at("case_id");
   header.step = object.at("step");
   header.time = object.at("time");
@@ -79,6 +99,8 @@ CheckpointHeader header_from(json object) {
   header.git_revision = object.at("git_revision");
   header.attempt = object.at("attempt");
   header.ranks = object.at("ranks");
+  // A number too large for its member, or a member that this format does not have.
+  if (members_of(header) != object) throw std::runtime_error("its header is not one of this format");
   return header;
 }
 
@@ -141,12 +163,7 @@ std::int64_t step_of(const std::filesystem::path& file) {
 }  // namespace
 
 std::string format_header(const CheckpointHeader& header) {
-  json object = {{"format", header.format},       {"case_id", header.case_id},
-                 {"step", header.step},           {"time", header.time},
-                 {"bytes", header.bytes},         {"xxh3", hexadecimal(header.xxh3)},
-                 {"precision", header.precision}, {"grid", header.grid},
-                 {"length", header.length},       {"git_revision", header.git_revision},
-                 {"attempt", header.attempt},     {"ranks", header.ranks}};
+  json object = members_of(header);
   object["check"] = header_check(object);
   return header_block(object);
 }
