@@ -52,6 +52,11 @@ inline Real stress_yz(const MomentumInput& m, int i, int j, int k) {
       (m.v(i, j, k) - m.v(i, j, k - 1)) * m.inv_dz + (m.w(i, j, k) - m.w(i, j - 1, k)) * m.inv_dy_face[j];
   return m.nu * shear;
 }
+inline Real stress_xz(const MomentumInput& m, int i, int j, int k) {
+  const Real shear =
+      (m.u(i, j, k) - m.u(i, j, k - 1)) * m.inv_dz + (m.w(i, j, k) - m.w(i - 1, j, k)) * m.inv_dx;
+  return m.nu * shear;
+}
 inline Real flux_xy(const MomentumInput& m, int i, int j, int k) {
   const Real u_mean = (m.u(i, j, k) + m.u(i, j - 1, k)) / 2, v_mean = (m.v(i, j, k) + m.v(i - 1, j, k)) / 2;
   return stress_xy(m, i, j, k) - u_mean * v_mean;
@@ -62,9 +67,7 @@ inline Real flux_yx(const MomentumInput& m, int i, int j, int k) {
 }
 inline Real flux_xz(const MomentumInput& m, int i, int j, int k) {
   const Real u_mean = (m.u(i, j, k) + m.u(i, j, k - 1)) / 2, w_mean = (m.w(i, j, k) + m.w(i - 1, j, k)) / 2;
-  const Real shear =
-      (m.u(i, j, k) - m.u(i, j, k - 1)) * m.inv_dz + (m.w(i, j, k) - m.w(i - 1, j, k)) * m.inv_dx;
-  return m.nu * shear - u_mean * w_mean;
+  return stress_xz(m, i, j, k) - u_mean * w_mean;
 }
 inline Real flux_zy(const MomentumInput& m, int i, int j, int k) {
   const Real v_mean = (m.v(i, j, k) + m.v(i, j, k - 1)) / 2, w_mean = (m.w(i, j, k) + m.w(i, j - 1, k)) / 2;

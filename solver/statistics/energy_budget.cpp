@@ -141,10 +141,7 @@ struct FluidStress {
   Real zz(int i, int j, int k) const { return 2 * m.nu * (m.w(i, j, k + 1) - m.w(i, j, k)) * m.inv_dz; }
   Real xy(int i, int j, int k) const { return fluid::stress_xy(m, i, j, k); }
   Real yz(int i, int j, int k) const { return fluid::stress_yz(m, i, j, k); }
-  Real xz(int i, int j, int k) const {
-    return m.nu *
-           ((m.u(i, j, k) - m.u(i, j, k - 1)) * m.inv_dz + (m.w(i, j, k) - m.w(i - 1, j, k)) * m.inv_dx);
-  }
+  Real xz(int i, int j, int k) const { return fluid::stress_xz(m, i, j, k); }
 };
 
 void add_elastic_energy(const time::State& s, const time::Setup& setup, BudgetSums& sums) {
@@ -187,13 +184,17 @@ std::vector<double> EnergyBudget::sample(const time::State& s, time::Setup& setu
   BudgetSums sums(g);
   const auto with_viscosity = momentum_input(s, setup), without = momentum_input(s, setup, 0);
   add_motion(s, without, g, sums);
-  const auto add_to = [&](std::size_t term, double factor, const fluid::MomentumInput& input) {
-    const PowerOf power{s.velocity, g, sums, kForces + term, kPowers + term, factor};
-    sweep_.for_each_row(input, 0, g.ny, [&](int j, int k, const MomentumRow& row) { power.add(j, k, row); });
+  const auto power_of = [&](std::size_t term, double factor) {
+    return PowerOf{s.velocity, g, sums, kForces + term, kPowers + term, factor};
   };
-  add_to(kConvection, 1, without);
-  add_to(kViscosity, 1, with_viscosity);  // together with convection,
-  add_to(kViscosity, -1, without);        // which is taken away again
+  const PowerOf convection = power_of(kConvection, 1), both = power_of(kViscosity, 1),
+                taken_away = power_of(kViscosity, -1);  // convection, from what viscosity has with it
+  sweep_.for_each_row(with_viscosity, 0, g.ny,
+                      [&](int j, int k, const MomentumRow& row) { both.add(j, k, row); });
+  sweep_.for_each_row(without, 0, g.ny, [&](int j, int k, const MomentumRow& row) {
+    convection.add(j, k, row);
+    taken_away.add(j, k, row);
+  });
   add_pressure(s, g, sums);
   std::vector<double> work(static_cast<std::size_t>(g.ny));
   solid::add_stress_work(FluidStress{with_viscosity}, s.velocity, g, 0, g.ny, work);
