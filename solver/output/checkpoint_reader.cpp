@@ -10,10 +10,7 @@ namespace softwall::output {
 namespace {
 
 using analysis::Hdf5Id;
-
-void must(herr_t status, const std::string& what) {
-  if (status < 0) throw std::runtime_error(what);
-}
+using analysis::must;
 
 Hdf5Id space_of(const Hdf5Id& dataset, const std::string& name) {
   return {H5Dget_space(dataset.get()), H5Sclose, name + " has no shape"};

@@ -1,17 +1,12 @@
 #include "solver/output/joined_fields.hpp"
 
-#include <stdexcept>
-
 #include "solver/run_directory/hdf5_image.hpp"
 
 namespace softwall::output {
 namespace {
 
 using analysis::Hdf5Id;
-
-void require(herr_t status, const std::string& what) {
-  if (status < 0) throw std::runtime_error("cannot " + what);
-}
+using analysis::must;
 
 Hdf5Id space_of_shape(const std::vector<hsize_t>& shape) {
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose,
@@ -21,7 +16,7 @@ Hdf5Id space_of_shape(const std::vector<hsize_t>& shape) {
 std::vector<hsize_t> shape_of(const Hdf5Id& dataset) {
   const Hdf5Id space(H5Dget_space(dataset.get()), H5Sclose, "a dataset has no shape");
   std::vector<hsize_t> shape(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space.get())));
-  require(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), "read a shape");
+  must(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), "cannot read a shape");
   return shape;
 }
 
@@ -34,12 +29,12 @@ void join(hid_t file, const JoinedField& field) {
   count.push_back(1);
   const Hdf5Id all = space_of_shape(shape), part = space_of_shape(own);
   const Hdf5Id creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "cannot create a property list");
-  require(H5Pset_obj_track_times(creation.get(), false), "leave out the time stamps");
+  must(H5Pset_obj_track_times(creation.get(), false), "cannot leave out the time stamps");
   for (const std::string& component : field.components) {
-    require(H5Sselect_hyperslab(all.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
-            "select a component");
-    require(H5Pset_virtual(creation.get(), all.get(), ".", component.c_str(), part.get()),
-            "join " + component);
+    must(H5Sselect_hyperslab(all.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+         "cannot select a component");
+    must(H5Pset_virtual(creation.get(), all.get(), ".", component.c_str(), part.get()),
+         "cannot join " + component);
     ++start.back();
   }
   const Hdf5Id joined(
@@ -52,10 +47,10 @@ void join(hid_t file, const JoinedField& field) {
 
 void join_fields(const std::filesystem::path& file, const std::vector<JoinedField>& fields) {
   const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot create a property list");
-  require(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), "choose the format");
+  must(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), "cannot choose the format");
   const Hdf5Id opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, access.get()), H5Fclose, "cannot open");
   for (const JoinedField& field : fields) join(opened.get(), field);
-  require(H5Fflush(opened.get(), H5F_SCOPE_GLOBAL), "write " + file.string());
+  must(H5Fflush(opened.get(), H5F_SCOPE_GLOBAL), "cannot write " + file.string());
 }
 
 }  // namespace softwall::output

@@ -15,17 +15,7 @@ namespace softwall::output {
 namespace {
 
 using analysis::Hdf5Id;
-
-void must(herr_t status, const char* what) {
-  if (status >= 0) return;
-  std::string reason;
-  const auto keep = [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
-    *static_cast<std::string*>(out) = error->desc == nullptr ? "" : error->desc;
-    return 0;
-  };
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, +keep, &reason);
-  throw std::runtime_error(std::string(what) + " (HDF5: " + reason + ")");
-}
+using analysis::must;
 
 Hdf5Id property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose, "cannot create a property list"}; }
 

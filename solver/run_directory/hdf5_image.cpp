@@ -26,13 +26,9 @@ std::string hdf5_reason() {
   throw std::runtime_error(what + " (HDF5: " + hdf5_reason() + ")");
 }
 
-void check(herr_t status, const std::string& what) {
-  if (status < 0) fail(what);
-}
-
 Hdf5Id memory_access() {
   Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot create an HDF5 property list");
-  check(H5Pset_fapl_core(access.get(), kGrowthBytes, 0), "cannot choose HDF5's memory driver");
+  must(H5Pset_fapl_core(access.get(), kGrowthBytes, 0), "cannot choose HDF5's memory driver");
   return access;
 }
 
@@ -40,7 +36,7 @@ Hdf5Id memory_access() {
 /// files.
 Hdf5Id timeless(hid_t kind) {
   Hdf5Id properties(H5Pcreate(kind), H5Pclose, "cannot create an HDF5 property list");
-  check(H5Pset_obj_track_times(properties.get(), false), "cannot switch off HDF5's time stamps");
+  must(H5Pset_obj_track_times(properties.get(), false), "cannot switch off HDF5's time stamps");
   return properties;
 }
 
@@ -51,8 +47,8 @@ Hdf5Id dataspace(const std::vector<hsize_t>& shape) {
 
 Hdf5Id text_type(std::size_t size) {
   Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose, "cannot create an HDF5 text type");
-  check(H5Tset_size(type.get(), size), "cannot size an HDF5 text type");
-  check(H5Tset_cset(type.get(), H5T_CSET_UTF8), "cannot set the character set of an HDF5 text type");
+  must(H5Tset_size(type.get(), size), "cannot size an HDF5 text type");
+  must(H5Tset_cset(type.get(), H5T_CSET_UTF8), "cannot set the character set of an HDF5 text type");
   return type;
 }
 
@@ -67,6 +63,10 @@ Hdf5Id open_attribute(hid_t object, const std::string& name, H5T_class_t expecte
 }
 
 }  // namespace
+
+void must(herr_t status, const std::string& what) {
+  if (status < 0) fail(what);
+}
 
 Hdf5Id::Hdf5Id(hid_t id, Close close, const std::string& what) : id_(id), close_(close) {
   if (id < 0) fail(what);
@@ -92,12 +92,12 @@ Hdf5Id create_image() {
 Hdf5Id open_image(std::string_view bytes) {
   const Hdf5Id access = memory_access();
   std::string copy(bytes);  // HDF5 wants a writable pointer and makes its own copy
-  check(H5Pset_file_image(access.get(), copy.data(), copy.size()), "cannot hand the file to HDF5");
+  must(H5Pset_file_image(access.get(), copy.data(), copy.size()), "cannot hand the file to HDF5");
   return {H5Fopen("statistics in memory", H5F_ACC_RDONLY, access.get()), H5Fclose, "is not an HDF5 file"};
 }
 
 std::string image_bytes(const Hdf5Id& file) {
-  check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL), "cannot flush an HDF5 file in memory");
+  must(H5Fflush(file.get(), H5F_SCOPE_GLOBAL), "cannot flush an HDF5 file in memory");
   const ssize_t size = H5Fget_file_image(file.get(), nullptr, 0);
   if (size <= 0) fail("cannot take an HDF5 file out of memory");
   std::string bytes(static_cast<std::size_t>(size), '\0');
@@ -122,7 +122,7 @@ std::vector<std::string> member_names(hid_t group) {
     static_cast<std::vector<std::string>*>(out)->emplace_back(name);
     return 0;
   };
-  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, +collect, &names), "cannot list a group");
+  must(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, +collect, &names), "cannot list a group");
   return names;
 }
 
@@ -131,7 +131,7 @@ void write_attribute(hid_t object, const std::string& name, double value) {
   const Hdf5Id attribute(
       H5Acreate2(object, name.c_str(), H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
       "cannot create attribute " + name);
-  check(H5Awrite(attribute.get(), H5T_NATIVE_DOUBLE, &value), "cannot write attribute " + name);
+  must(H5Awrite(attribute.get(), H5T_NATIVE_DOUBLE, &value), "cannot write attribute " + name);
 }
 
 void write_attribute(hid_t object, const std::string& name, const std::string& value) {
@@ -139,13 +139,13 @@ void write_attribute(hid_t object, const std::string& name, const std::string& v
   const Hdf5Id type = text_type(value.size() + 1);
   const Hdf5Id attribute(H5Acreate2(object, name.c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose, "cannot create attribute " + name);
-  check(H5Awrite(attribute.get(), type.get(), value.c_str()), "cannot write attribute " + name);
+  must(H5Awrite(attribute.get(), type.get(), value.c_str()), "cannot write attribute " + name);
 }
 
 double read_number_attribute(hid_t object, const std::string& name) {
   const Hdf5Id attribute = open_attribute(object, name, H5T_FLOAT);
   double value = 0.0;
-  check(H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, &value), "cannot read attribute " + name);
+  must(H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, &value), "cannot read attribute " + name);
   return value;
 }
 
@@ -157,7 +157,7 @@ std::string read_text_attribute(hid_t object, const std::string& name) {
   const std::size_t size = H5Tget_size(stored.get());
   const Hdf5Id type = text_type(size + 1);
   std::string value(size + 1, '\0');
-  check(H5Aread(attribute.get(), type.get(), value.data()), "cannot read attribute " + name);
+  must(H5Aread(attribute.get(), type.get(), value.data()), "cannot read attribute " + name);
   value.resize(std::strlen(value.c_str()));
   return value;
 }
@@ -169,8 +169,8 @@ Hdf5Id write_dataset(hid_t parent, const std::string& name, const std::vector<do
                             timeless(H5P_DATASET_CREATE).get(), H5P_DEFAULT),
                  H5Dclose, "cannot create dataset " + name);
   if (!values.empty()) {
-    check(H5Dwrite(dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-          "cannot write dataset " + name);
+    must(H5Dwrite(dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+         "cannot write dataset " + name);
   }
   return dataset;
 }
@@ -202,8 +202,8 @@ std::vector<double> read_dataset(hid_t dataset, const std::string& name, const s
   }
   std::vector<double> values(std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>()));
   if (!values.empty()) {
-    check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-          "cannot read dataset " + name);
+    must(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+         "cannot read dataset " + name);
   }
   return values;
 }

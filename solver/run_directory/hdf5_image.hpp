@@ -41,6 +41,9 @@ class QuietHdf5 {
   void* data_ = nullptr;
 };
 
+/// Throws when a call of HDF5 has failed: `what` and HDF5's own reason.
+void must(herr_t status, const std::string& what);
+
 [[nodiscard]] Hdf5Id create_image();
 [[nodiscard]] Hdf5Id open_image(std::string_view bytes);
 [[nodiscard]] std::string image_bytes(const Hdf5Id& file);
