@@ -5,13 +5,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
 #include <system_error>
 
 #include "campaign/store/text_width.hpp"
 #include "campaign/system/clock.hpp"
 #include "campaign/system/own_file.hpp"
+#include "solver/case/atomic_file.hpp"
 #include "solver/run_directory/build_info.hpp"
 
 namespace softwall::campaign {
@@ -61,13 +61,11 @@ FileDescriptor opened_if_possible(const std::filesystem::path& log) {
   }
 }
 
+/// What a full disk does not take is lost; later lines may have room again.
 void append(int file, const std::string& text) {
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t written = write(file, text.data() + done, text.size() - done);
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return;
-    done += static_cast<std::size_t>(written);
+  try {
+    write_all(file, text, "manager.log");
+  } catch (const std::system_error&) {
   }
 }
 

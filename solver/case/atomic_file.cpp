@@ -50,15 +50,6 @@ class TemporaryFile {
   std::filesystem::path path_;
 };
 
-void write_all(int descriptor, std::string_view contents, const std::filesystem::path& path) {
-  while (!contents.empty()) {
-    const ssize_t count = ::write(descriptor, contents.data(), contents.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail("write", path);
-    contents.remove_prefix(static_cast<std::size_t>(count));
-  }
-}
-
 /// Puts complete, synced contents under the temporary name.
 void fill(const TemporaryFile& temporary, std::string_view contents, bool synced) {
   const auto& name = temporary.path();
@@ -83,6 +74,15 @@ bool link_as_new(const std::filesystem::path& source, const std::filesystem::pat
 }
 
 }  // namespace
+
+void write_all(int descriptor, std::string_view contents, const std::filesystem::path& path) {
+  while (!contents.empty()) {
+    const ssize_t count = ::write(descriptor, contents.data(), contents.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail("write", path);
+    contents.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
 
 bool is_trouble_of_disk(const std::error_code& error) {
   switch (error.default_error_condition().value()) {

@@ -29,6 +29,9 @@ void publish_file(const std::filesystem::path& temporary, const std::filesystem:
 /// less to wait for. No more than a hint, so that failing is no error.
 void begin_write_out(int descriptor);
 
+/// All of it, however often the system takes a part only. `path` is for the message.
+void write_all(int descriptor, std::string_view contents, const std::filesystem::path& path);
+
 /// Whether an error is one of the disk, or of what a user may write there, and so may pass: no space or quota
 /// left, a limit on the size of files, an I/O error, a file system that can only be read.
 [[nodiscard]] bool is_trouble_of_disk(const std::error_code& error);
