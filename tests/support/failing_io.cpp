@@ -125,6 +125,16 @@ ssize_t write_pieces_or_fail(int file, const iovec* pieces, int count, Write wri
   return write(&half, 1);
 }
 
+using Open = int(const char*, int, mode_t);
+
+/// `more`: the mode, where the flags say that there is one.
+int open_or_fail(Open* next, const char* path, int flags, va_list more) {
+  const bool makes_one = (flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE;
+  const mode_t mode = makes_one ? va_arg(more, mode_t) : 0;
+  const int error = (flags & O_CREAT) == 0 ? 0 : trouble_with("create", path);
+  return error == 0 ? next(path, flags, mode) : fail(error);
+}
+
 }  // namespace
 
 extern "C" {
@@ -181,25 +191,21 @@ int rename(const char* from, const char* to) noexcept {
 }
 
 int open(const char* path, int flags, ...) {
-  static const auto next = real<int(const char*, int, mode_t)>("open");
-  const bool makes_one = (flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE;
+  static const auto next = real<Open>("open");
   va_list more;
   va_start(more, flags);
-  const mode_t mode = makes_one ? va_arg(more, mode_t) : 0;
+  const int file = open_or_fail(next, path, flags, more);
   va_end(more);
-  const int error = (flags & O_CREAT) == 0 ? 0 : trouble_with("create", path);
-  return error == 0 ? next(path, flags, mode) : fail(error);
+  return file;
 }
 
 int open64(const char* path, int flags, ...) {
-  static const auto next = real<int(const char*, int, mode_t)>("open64");
-  const bool makes_one = (flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE;
+  static const auto next = real<Open>("open64");
   va_list more;
   va_start(more, flags);
-  const mode_t mode = makes_one ? va_arg(more, mode_t) : 0;
+  const int file = open_or_fail(next, path, flags, more);
   va_end(more);
-  const int error = (flags & O_CREAT) == 0 ? 0 : trouble_with("create", path);
-  return error == 0 ? next(path, flags, mode) : fail(error);
+  return file;
 }
 
 }  // extern "C"
