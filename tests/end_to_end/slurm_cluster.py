@@ -43,6 +43,18 @@ def die_with_parent():
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
 
 
+def begin_for(cls, kind, **more):
+    """A cluster of this kind for a class of tests, which softwall then finds; `more`: of the environment. Both end with the
+    class. Several ranks share the cores of this machine, and none is bound to one of them."""
+    before = dict(os.environ)
+    cls.addClassCleanup(os.environ.update, before)
+    cls.addClassCleanup(os.environ.clear)
+    cls.cluster = kind()
+    cls.addClassCleanup(cls.cluster.stop)
+    os.environ.update(more, SLURM_CONF=cls.cluster.environment["SLURM_CONF"], OMPI_MCA_mpi_yield_when_idle="1",
+                      OMPI_MCA_hwloc_base_binding_policy="none", TMPDIR=str(cls.cluster.folder))
+
+
 # Why the odd lines: no groups of processes are controlled by the kernel here (linuxproc), but slurmd insists on a plugin
 # for control groups, and of version 1 it takes one that touches nothing. A node is taken for lost after five seconds,
 # and a job that is begun again need not wait two minutes for its credentials to expire. config_overrides allows more

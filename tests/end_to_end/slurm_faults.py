@@ -115,29 +115,27 @@ def requeue_a_job(trial, random):
 # -- to daemons -------------------------------------------------------------------------------------------------------
 
 
+def restart(cluster, daemon, seconds, start, *options):
+    """Kills a daemon and begins it again some seconds later."""
+    with cluster.daemons_change:
+        cluster.kill(daemon)
+        time.sleep(seconds)
+        start(*options)
+    return f"SIGKILL to {daemon}, restarted"
+
+
 def kill_the_controller(trial, random):
     """It may not have saved yet what it knows of the jobs."""
-    with trial.cluster.daemons_change:
-        trial.cluster.kill("slurmctld")
-        time.sleep(random.uniform(0, 3))
-        trial.cluster.start_controller()
-    return "SIGKILL to slurmctld, restarted"
+    return restart(trial.cluster, "slurmctld", random.uniform(0, 3), trial.cluster.start_controller)
 
 
 def make_the_controller_forget(trial, random):
     """All jobs are gone from its books, whether they wait or run; numbers begin anew."""
-    with trial.cluster.daemons_change:
-        trial.cluster.kill("slurmctld")
-        trial.cluster.start_controller("-c")
-    return "SIGKILL to slurmctld, restarted without its memory"
+    return restart(trial.cluster, "slurmctld", 0, trial.cluster.start_controller, "-c") + " without its memory"
 
 
 def kill_the_node_daemon(trial, random):
-    with trial.cluster.daemons_change:
-        trial.cluster.kill("slurmd")
-        time.sleep(random.uniform(0, 2))
-        trial.cluster.start_node()
-    return "SIGKILL to slurmd, restarted"
+    return restart(trial.cluster, "slurmd", random.uniform(0, 2), trial.cluster.start_node)
 
 
 def fail_the_node(trial, random):

@@ -12,7 +12,7 @@ import sys
 import unittest
 
 from harness import CAMPAIGN, Campaign, EndToEndTest, OneSolverOnly, changed
-from slurm_cluster import CannotStart, SlurmCluster
+from slurm_cluster import CannotStart, SlurmCluster, begin_for
 
 # Two cases of a few seconds that start by themselves.
 SMALL = {name: member for name, member in CAMPAIGN.items() if name != "precursor"}
@@ -30,14 +30,7 @@ LIMITED["execution"]["slurm"].update(time_limit_minutes=1, signal_seconds=50)
 class Slurm(EndToEndTest):
     @classmethod
     def setUpClass(cls):
-        before = dict(os.environ)
-        cls.addClassCleanup(os.environ.update, before)
-        cls.addClassCleanup(os.environ.clear)
-        cls.cluster = SlurmCluster()
-        cls.addClassCleanup(cls.cluster.stop)
-        # Several jobs share the cores of this machine, and no core is bound to one of them.
-        os.environ.update(SLURM_CONF=cls.cluster.environment["SLURM_CONF"], OMPI_MCA_mpi_yield_when_idle="1",
-                          OMPI_MCA_hwloc_base_binding_policy="none", TMPDIR=str(cls.cluster.folder))
+        begin_for(cls, SlurmCluster)
         cls.reference = Campaign(LOCAL)
         cls.addClassCleanup(cls.reference.remove)
         assert cls.reference.call("run").returncode == 0

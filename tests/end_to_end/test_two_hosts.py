@@ -8,7 +8,7 @@ import unittest
 from collections import Counter
 
 from harness import CAMPAIGN, Campaign, EndToEndTest, changed
-from slurm_cluster import CannotStart
+from slurm_cluster import CannotStart, begin_for
 from two_hosts import TwoHosts
 
 RANKS = 4
@@ -25,15 +25,8 @@ def on_nodes(nodes):
 class TwoHostsTest(EndToEndTest):
     @classmethod
     def setUpClass(cls):
-        before = dict(os.environ)
-        cls.addClassCleanup(os.environ.update, before)
-        cls.addClassCleanup(os.environ.clear)
-        cls.cluster = TwoHosts()
-        cls.addClassCleanup(cls.cluster.stop)
-        # Four ranks share two cores here. Messages take the hosts' own network, whatever else this machine has.
-        os.environ.update(SLURM_CONF=cls.cluster.environment["SLURM_CONF"], OMPI_MCA_mpi_yield_when_idle="1",
-                          OMPI_MCA_hwloc_base_binding_policy="none", OMPI_MCA_btl_tcp_if_include="eth0",
-                          OMPI_MCA_oob_tcp_if_include="eth0", TMPDIR=str(cls.cluster.folder))
+        # Messages take the hosts' own network, whatever else this machine has.
+        begin_for(cls, TwoHosts, OMPI_MCA_btl_tcp_if_include="eth0", OMPI_MCA_oob_tcp_if_include="eth0")
         cls.one_host = Campaign(on_nodes(1))
         cls.addClassCleanup(cls.one_host.remove)
         before_it = cls.cluster.bytes_between()
