@@ -24,38 +24,38 @@ struct ExcessStress {
   Real excess() const { return ratio - 1; }
   /// What mu_f g lacks at an edge: (1 - s) g_f + s mu_s / mu_f g_s - g. `mixed`: d/dy across the edge,
   /// `solid`: of the solid, `along`: the other part of the shear, which both have; a: of interface_share.hpp.
-  Real lacking(Real fraction, Real a, Real mixed, Real solid, Real along) const {
+  [[gnu::always_inline]] Real lacking(Real fraction, Real a, Real mixed, Real solid, Real along) const {
     const Real fluid = factor_of_fluid(fraction, a);
     return (fluid - 1) * (mixed + along) +
            (ratio * share_of_solid(fraction, a) - fluid * fraction) * (solid + along);
   }
   /// The parts of xy and yz that follow from differences between rows.
-  Real xy_across(int i, int j, int k) const {
+  [[gnu::always_inline]] Real xy_across(int i, int j, int k) const {
     return lacking(phi.edge_xy(i, j, k), share.xy(i, k), (u(i, j, k) - u(i, j - 1, k)) * inv_dy_face[j],
                    shear_xy(i, j, k), 0);
   }
-  Real yz_across(int i, int j, int k) const {
+  [[gnu::always_inline]] Real yz_across(int i, int j, int k) const {
     return lacking(phi.edge_yz(i, j, k), share.yz(i, k), (w(i, j, k) - w(i, j - 1, k)) * inv_dy_face[j],
                    shear_yz(i, j, k), 0);
   }
-  Real xx(int i, int j, int k) const {
+  [[gnu::always_inline]] Real xx(int i, int j, int k) const {
     return 2 * excess() * phi.center(i, j, k) * (u(i + 1, j, k) - u(i, j, k)) * inv_dx;
   }
-  Real yy(int i, int j, int k) const {
+  [[gnu::always_inline]] Real yy(int i, int j, int k) const {
     return 2 * excess() * phi.center(i, j, k) * (v(i, j + 1, k) - v(i, j, k)) * inv_dy[j];
   }
-  Real zz(int i, int j, int k) const {
+  [[gnu::always_inline]] Real zz(int i, int j, int k) const {
     return 2 * excess() * phi.center(i, j, k) * (w(i, j, k + 1) - w(i, j, k)) * inv_dz;
   }
-  Real xy(int i, int j, int k) const {
+  [[gnu::always_inline]] Real xy(int i, int j, int k) const {
     return lacking(phi.edge_xy(i, j, k), share.xy(i, k), (u(i, j, k) - u(i, j - 1, k)) * inv_dy_face[j],
                    shear_xy(i, j, k), (v(i, j, k) - v(i - 1, j, k)) * inv_dx);
   }
-  Real xz(int i, int j, int k) const {
+  [[gnu::always_inline]] Real xz(int i, int j, int k) const {
     return excess() * phi.edge_xz(i, j, k) *
            ((u(i, j, k) - u(i, j, k - 1)) * inv_dz + (w(i, j, k) - w(i - 1, j, k)) * inv_dx);
   }
-  Real yz(int i, int j, int k) const {
+  [[gnu::always_inline]] Real yz(int i, int j, int k) const {
     return lacking(phi.edge_yz(i, j, k), share.yz(i, k), (w(i, j, k) - w(i, j - 1, k)) * inv_dy_face[j],
                    shear_yz(i, j, k), (v(i, j, k) - v(i, j, k - 1)) * inv_dz);
   }

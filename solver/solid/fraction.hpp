@@ -26,14 +26,14 @@ struct Fraction {
   bool is_sharp = false;    ///< whether phi is the share of a cell above a surface
 
   Real center(int i, int j, int k) const { return phi(i, j, k); }
-  Real edge_xy(int i, int j, int k) const {
+  [[gnu::always_inline]] Real edge_xy(int i, int j, int k) const {
     return over_face(j, phi(i, j, k), phi(i, j - 1, k)) +
            over_face(j, phi(i - 1, j, k), phi(i - 1, j - 1, k));
   }
-  Real edge_xz(int i, int j, int k) const {
+  [[gnu::always_inline]] Real edge_xz(int i, int j, int k) const {
     return (phi(i, j, k) + phi(i - 1, j, k) + phi(i, j, k - 1) + phi(i - 1, j, k - 1)) / 4;
   }
-  Real edge_yz(int i, int j, int k) const {
+  [[gnu::always_inline]] Real edge_yz(int i, int j, int k) const {
     return over_face(j, phi(i, j, k), phi(i, j - 1, k)) +
            over_face(j, phi(i, j, k - 1), phi(i, j - 1, k - 1));
   }
