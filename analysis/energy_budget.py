@@ -2,7 +2,7 @@
 
 Every term is of the fluctuations about the mean over time and plane: what <u> <f_x> takes of a power is the mean flow's. Rows
 are those of the cells; what stands on the faces between two rows belongs to each by half, as in the solver, so that the
-transports add up to zero and all terms to the rate of change. Units: rho U_b^3 / h.
+transports add up to zero, and all terms in each row. Units: rho U_b^3 / h.
 """
 
 import numpy as np
@@ -38,6 +38,13 @@ class Budget:
         """Of the fluctuations of a force."""
         return self._mean[f"power_{force}"] - self._mean["u"] * self._mean[f"force_{force}"]
 
+    def rate(self):
+        """Of change of the turbulent kinetic energy, from the first sample to the last: not small where a window is short. 0 of a
+        file that an earlier version has written, which does not know it."""
+        if "rate_kinetic" not in self._mean:
+            return np.zeros_like(self.y)
+        return self._mean["rate_kinetic"] - self._mean["u"] * self._mean["rate_u"]
+
     def mean_work(self, force):
         """Of a mean stress on the mean shear."""
         at_wall = self.shear[0] / self.reynolds if force == "viscous" else 0.0  # the layer ends below the upper wall alone
@@ -48,8 +55,7 @@ class Budget:
         return self._mean[f"work_{force}"] - self.mean_work(force)
 
     def terms(self):
-        """By name. Their sum is the rate of change of the turbulent kinetic energy: what a converged mean has left of it is
-        the error of closure."""
+        """By name. They add up to zero: what a mean has left of their sum is the error of closure."""
         flux = np.append(self._mean["uv"], 0.0)
         production = -self._from_faces(flux * self.shear)
         return {
@@ -61,6 +67,7 @@ class Budget:
             "viscous transport": self.power("viscous") + self.power("excess") + self.work("viscous") + self.work("excess"),
             "elastic transport": self.power("elastic") + self.work("elastic"),
             "driving": self.power("driving"),
+            "rate of change": -self.rate(),
         }
 
     def closure(self):
@@ -70,8 +77,9 @@ class Budget:
         return self.total(abs(rest)) / produced, abs(self.total(rest)) / produced
 
     def bulk(self):
-        """Where the power of the driving gradient goes, integrals over the height: dissipation in both fluids' viscosity and work
-        on the wall, all of the whole flow, and what is left."""
+        """Where the power of the driving gradient goes, integrals over the height: dissipation in both fluids' viscosity, work
+        on the wall and kinetic energy, all of the whole flow, and what is left."""
         driving = self.total(self._mean["power_driving"])
         spent = {name: self.total(self._mean[f"work_{name}"]) for name in ("viscous", "excess", "elastic")}
+        spent["gained speed"] = self.total(self._mean.get("rate_kinetic", np.zeros_like(self.y)))
         return driving, spent, driving - sum(spent.values())

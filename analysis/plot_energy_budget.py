@@ -8,7 +8,8 @@ from spectra_data import read_spectra
 
 STYLES = {"production": ("tab:blue", "-"), "dissipation": ("tab:red", "-"), "turbulent transport": ("tab:green", "--"),
           "pressure transport": ("tab:purple", "--"), "viscous transport": ("tab:brown", "--"),
-          "work on the wall": ("tab:orange", "-"), "elastic transport": ("tab:pink", "--")}
+          "work on the wall": ("tab:orange", "-"), "elastic transport": ("tab:pink", "--"),
+          "rate of change": ("tab:grey", ":")}
 OF_ELASTIC_WALLS = ("work on the wall", "elastic transport")
 BAR = 0.02  # of the production
 

@@ -1,8 +1,12 @@
 #include "solver/statistics/energy_budget.hpp"
 
+#include <algorithm>
 #include <span>
+#include <stdexcept>
+#include <utility>
 
 #include "solver/case/elastic_law.hpp"
+#include "solver/grid/cell_loop.hpp"
 #include "solver/parallel/reduce.hpp"
 #include "solver/solid/cofactors.hpp"
 #include "solver/solid/stress_work.hpp"
@@ -28,6 +32,8 @@ enum BudgetIndex : std::size_t {
   kWorkViscous,
   kWorkExcess,
   kWorkElastic,
+  kRateU,
+  kRateKinetic,
   kBudgetIndices
 };
 static_assert(kBudgetIndices == kBudgetKinds.size());
@@ -114,8 +120,46 @@ void add_motion(const time::State& s, const fluid::MomentumInput& m, const Grid&
   }
 }
 
-void add_pressure(const time::State& s, const Grid& g, BudgetSums& sums) {
-  const auto p = s.pressure.view();
+/// The sum of all forces but the pressure gradient.
+class AllForces {
+ public:
+  explicit AllForces(const Grid& g) : grid_(g), sum_(g, 1, grid::Memory::kByPlane) {}
+
+  void add(int j, int k, const MomentumRow& f) {
+    add_row(sum_.x, j, k, f.x);
+    if (j > 0) add_row(sum_.y, j, k, f.y);
+    add_row(sum_.z, j, k, f.z);
+  }
+  void add(const grid::VectorField& f, int j0, int j1, Real factor) {
+    const auto add_to = [&](grid::Field& component, const grid::Field& more, int first) {
+      const auto sum = component.view();
+      const auto addend = more.view();
+      grid::for_each_cell(grid::rows(grid_, first, j1),
+                          [=](int i, int j, int k) { sum(i, j, k) += factor * addend(i, j, k); });
+    };
+    add_to(sum_.x, f.x, j0);
+    add_to(sum_.y, f.y, std::max(j0, 1));
+    add_to(sum_.z, f.z, j0);
+  }
+  grid::VectorField& sum() { return sum_; }
+
+ private:
+  void add_row(grid::Field& component, int j, int k, const Real* more) {
+    Real* const sum = &component(0, j, k);
+#pragma omp simd
+    for (int i = 0; i < grid_.nx; ++i) sum[i] += more[i];
+  }
+
+  const Grid& grid_;
+  grid::VectorField sum_;
+};
+
+/// The pressure that keeps the flow without divergence at this very moment. That of the state is the mean of
+/// the last substep, dt / 6 earlier, which is too early where it goes with a wave.
+void add_pressure(const time::State& s, AllForces& forces, time::Setup& setup, BudgetSums& sums) {
+  const Grid& g = setup.grid;
+  setup.projection->find_psi(forces.sum(), 1);
+  const auto p = setup.projection->psi().view();
   const auto length = static_cast<std::size_t>(g.nx);
   std::vector<Real> x(length), y(length), z(length);
   const PowerOf power{s.velocity, g, sums, kBudgetIndices, kPowerOfPressure};
@@ -163,23 +207,38 @@ void add_elastic_energy(const time::State& s, const time::Setup& setup, BudgetSu
   }
 }
 
-void add_solid(const time::State& s, time::Setup& setup, BudgetSums& sums) {
+void add_solid(const time::State& s, time::Setup& setup, AllForces& forces, BudgetSums& sums) {
   const Grid& g = setup.grid;
   const int first = setup.solid->first_row();
   const auto action = setup.solid->action(s.material, s.velocity);
-  PowerOf{s.velocity, g, sums, kForces + kElasticity, kPowers + kElasticity}.add(*action.elastic, first,
-                                                                                 g.ny);
-  const PowerOf excess{s.velocity, g, sums, kForces + kExcess, kPowers + kExcess, setup.viscosity};
-  if (action.excess) excess.add(*action.excess, first, action.excess_end_row);
-  if (action.across) excess.add(*action.across, first, g.ny);
+  const auto add = [&](const grid::VectorField* force, std::size_t term, int end_row, double factor) {
+    if (!force) return;
+    PowerOf{s.velocity, g, sums, kForces + term, kPowers + term, factor}.add(*force, first, end_row);
+    forces.add(*force, first, end_row, Real(factor));
+  };
+  add(action.elastic, kElasticity, g.ny, 1);
+  add(action.excess, kExcess, action.excess_end_row, setup.viscosity);
+  add(action.across, kExcess, g.ny, setup.viscosity);
   sums.add_rows(kWorkElastic, action.elastic_work, 1);
   sums.add_rows(kWorkExcess, action.excess_work, setup.viscosity);
   add_elastic_energy(s, setup, sums);
 }
 
+/// u, then kinetic, by row: what kRateU and kRateKinetic are the rates of.
+std::vector<double> motion_of(const std::vector<double>& sample, std::size_t rows) {
+  static_assert(kRateKinetic == kRateU + 1);
+  std::vector<double> motion;
+  for (const std::size_t kind : {kMeanU, kKinetic}) {
+    const auto first = sample.begin() + static_cast<std::ptrdiff_t>(kind * rows);
+    motion.insert(motion.end(), first, first + static_cast<std::ptrdiff_t>(rows));
+  }
+  return motion;
+}
+
 }  // namespace
 
-std::vector<double> EnergyBudget::sample(const time::State& s, time::Setup& setup) {
+std::optional<std::vector<double>> EnergyBudget::sample(const time::State& s, time::Setup& setup,
+                                                        double elapsed) {
   const Grid& g = setup.grid;
   BudgetSums sums(g);
   const auto with_viscosity = momentum_input(s, setup), without = momentum_input(s, setup, 0);
@@ -189,20 +248,33 @@ std::vector<double> EnergyBudget::sample(const time::State& s, time::Setup& setu
   };
   const PowerOf convection = power_of(kConvection, 1), both = power_of(kViscosity, 1),
                 taken_away = power_of(kViscosity, -1);  // convection, from what viscosity has with it
-  sweep_.for_each_row(with_viscosity, 0, g.ny,
-                      [&](int j, int k, const MomentumRow& row) { both.add(j, k, row); });
+  AllForces forces(g);
+  sweep_.for_each_row(with_viscosity, 0, g.ny, [&](int j, int k, const MomentumRow& row) {
+    both.add(j, k, row);
+    forces.add(j, k, row);
+  });
   sweep_.for_each_row(without, 0, g.ny, [&](int j, int k, const MomentumRow& row) {
     convection.add(j, k, row);
     taken_away.add(j, k, row);
   });
-  add_pressure(s, g, sums);
   std::vector<double> work(static_cast<std::size_t>(g.ny));
   solid::add_stress_work(FluidStress{with_viscosity}, s.velocity, g, 0, g.ny, work);
   sums.add_rows(kWorkViscous, work, 1);
-  if (setup.solid) add_solid(s, setup, sums);
+  if (setup.solid) add_solid(s, setup, forces, sums);
+  add_pressure(s, forces, setup, sums);
   parallel::sum(setup.decomposition.all(), sums.values());
   for (double& value : sums.values()) value /= double(g.nx_global) * g.nz_global;
-  return sums.values();
+  const std::vector<double> before = std::exchange(before_, motion_of(sums.values(), rows_));
+  if (before.empty()) return std::nullopt;
+  for (std::size_t n = 0; n < before.size(); ++n)
+    sums.values()[kRateU * rows_ + n] = (before_[n] - before[n]) / elapsed;
+  return std::move(sums.values());
+}
+
+void EnergyBudget::continue_from(std::span<const double> before) {
+  if (before.size() != 2 * rows_)
+    throw std::runtime_error("statistics of a checkpoint belong to another grid");
+  before_.assign(before.begin(), before.end());
 }
 
 }  // namespace softwall::statistics

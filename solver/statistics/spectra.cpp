@@ -13,7 +13,8 @@ namespace {
 
 std::vector<double> copy(std::span<const double> values) { return {values.begin(), values.end()}; }
 
-constexpr const char *kSchedule = "spectra_schedule", *kFlow = "spectra_of_flow", *kBudget = "energy_budget",
+constexpr const char *kSchedule = "spectra_schedule", *kFlow = "spectra_of_flow",
+                     *kBudget = "energy_budget_with_rates", *kBeforeBudget = "energy_before",
                      *kInterface = "interface_moments", *kWaves = "interface_waves";
 
 }  // namespace
@@ -53,7 +54,10 @@ void Spectra::sample_step(const time::State& s, double dt) {
 
 void Spectra::sample_fields(const time::State& s, double weight, const std::vector<double>& heights) {
   of_flow_->add_sample(s.time, weight, flow_->part_of(s, heights, setup_.projection->poisson()));
-  if (budget_) of_budget_->add_sample(s.time, weight, budget_->sample(s, setup_));
+  if (budget_) {
+    if (const auto budget = budget_->sample(s, setup_, weight))
+      of_budget_->add_sample(s.time, weight, *budget);
+  }
   if (of_interface_) of_interface_->add_sample(s.time, weight, interface_sample(s, heights, setup_));
 }
 
@@ -62,7 +66,10 @@ Spectra::Packed Spectra::pack() const {
   if (!flow_) return packed;
   packed[kSchedule] = {started_ ? 1.0 : 0.0, last_sample_};
   packed[kFlow] = of_flow_->pack([this](std::span<const double> part) { return flow_->whole(part); });
-  if (of_budget_) packed[kBudget] = of_budget_->pack(copy);
+  if (budget_) {
+    packed[kBudget] = of_budget_->pack(copy);
+    if (!budget_->before().empty()) packed[kBeforeBudget] = budget_->before();
+  }
   if (of_interface_) packed[kInterface] = of_interface_->pack(copy);
   if (waves_) packed[kWaves] = waves_->pack();
   return packed;
@@ -87,6 +94,8 @@ void Spectra::unpack(const Packed& packed) {
     with(name, [&](std::span<const double> values) { blocks->unpack(values, blocks->values(), copy); });
   };
   replicated(kBudget, of_budget_);
+  if (budget_)
+    with(kBeforeBudget, [this](std::span<const double> values) { budget_->continue_from(values); });
   replicated(kInterface, of_interface_);
   if (waves_) with(kWaves, [this](std::span<const double> values) { waves_->unpack(values); });
 }

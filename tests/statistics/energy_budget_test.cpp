@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "tests/statistics/flows.hpp"
 
@@ -16,7 +19,9 @@ using namespace testing;
 class Budget {
  public:
   Budget(const time::State& s, time::Setup& setup) : grid_(setup.grid) {
-    values_ = EnergyBudget(setup.grid).sample(s, setup);
+    EnergyBudget budget(setup.grid);
+    EXPECT_FALSE(budget.sample(s, setup, 0));
+    values_ = budget.sample(s, setup, 1).value();
   }
   [[nodiscard]] double operator()(std::string_view name, int j) const {
     const auto kind = std::ranges::find(kBudgetKinds, name, &BudgetKind::name) - kBudgetKinds.begin();
@@ -100,6 +105,44 @@ TEST(EnergyBudget, TermsAddUpToTheRateOfChange) {
       EXPECT_NEAR((before.rate(j) + after.rate(j)) / 2, change, 2e-4 * largest) << j;
     }
   }
+}
+
+/// A step leaves the pressure of its last substep, which is a little older than the velocity.
+TEST(EnergyBudget, HasThePressureOfTheMomentNotOfTheStep) {
+  for (const Physics& physics : flows()) {
+    time::Setup setup(physics, MPI_COMM_WORLD);
+    auto s = developed(setup, 0.004, 5);
+    const Budget budget(s, setup);
+    s.pressure = grid::Field(setup.grid, 1, grid::Memory::kByPlane);
+    const Budget without(s, setup);
+    double largest = 0;
+    for (int j = 0; j < setup.grid.ny; ++j) {
+      EXPECT_EQ(without("power_pressure", j), budget("power_pressure", j)) << j;
+      largest = std::max(largest, std::abs(budget("power_pressure", j)));
+    }
+    EXPECT_GT(largest, 0);
+  }
+}
+
+/// Rates are those of all the time since the sample before, so that their means lose nothing between samples,
+/// in a budget that goes on from another as well.
+TEST(EnergyBudget, RatesAreChangesSinceTheSampleBefore) {
+  time::Setup setup(flows()[1], MPI_COMM_WORLD);
+  auto s = developed(setup, 0.004, 5);
+  EnergyBudget first(setup.grid), second(setup.grid);
+  ASSERT_FALSE(first.sample(s, setup, 0));
+  const std::vector<double> start = first.before();
+  const double started = s.time;
+  for (int n = 0; n < 3; ++n) time::advance(s, setup, 0.004);
+  second.continue_from(start);
+  const auto values = second.sample(s, setup, s.time - started);
+  ASSERT_TRUE(values);
+  const std::vector<double>& end = second.before();
+  const auto rates = values->end() - static_cast<std::ptrdiff_t>(end.size());
+  for (std::size_t n = 0; n < end.size(); ++n)
+    EXPECT_DOUBLE_EQ(rates[static_cast<std::ptrdiff_t>(n)], (end[n] - start[n]) / (s.time - started)) << n;
+  EXPECT_EQ(first.sample(s, setup, s.time - started), values);
+  EXPECT_THROW(second.continue_from(std::span(start).first(start.size() - 1)), std::runtime_error);
 }
 
 TEST(EnergyBudget, ForcesAreTheDifferencesOfTheStresses) {

@@ -42,7 +42,7 @@ TEST(Spectra, ContinueBitForBitFromWhatWasPackedAtAnyMoment) {
       whole.sample_step(s, dt);
       for (auto& spectra : resumed) spectra->sample_step(s, dt);
     });
-    EXPECT_EQ(whole.pack().size(), physics.solid ? 5u : 3u);
+    EXPECT_EQ(whole.pack().size(), physics.solid ? 6u : 4u);
     for (const auto& spectra : resumed) EXPECT_EQ(spectra->pack(), whole.pack());
   }
 }
