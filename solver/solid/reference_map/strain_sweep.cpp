@@ -132,9 +132,11 @@ void StrainSweep::centers(const Strain& s, View<const Real> phi, int j, int k, c
                         -in_x * (z(i + 1, j, k) - z(i - 1, j, k) + (z(i + 1, j, k + 1) - z(i - 1, j, k + 1))),
                         zy0[i] + zy1[i],
                         1 - inv_dz * (z(i, j, k + 1) - z(i, j, k))};
-    const Real J = A.determinant(), factor = volume_factor(J);
+    const Real J = A.determinant();
+    const FactorOfB of(J);
     to.volume_error(i, j, k) = volume_error(phi(i, j, k), J);
-    const Real xx = factor * A.square_x(), yy = factor * A.square_y(), zz = factor * A.square_z();
+    const Real xx = of.factor * A.square_x() + of.rest, yy = of.factor * A.square_y() + of.rest,
+               zz = of.factor * A.square_z() + of.rest;
     worn(i, j, k) = damage_of(phi(i, j, k), J, xx + yy + zz);
     to.xx(i, j, k) = bounded(xx);
     to.yy(i, j, k) = bounded(yy);
@@ -163,7 +165,7 @@ void StrainSweep::edges_xz(const Strain& s, int j, int k, View<Real> to) const {
         -inv_dx * (z(i, j, k) - z(i - 1, j, k)),
         zy0[i] + zy1[i],
         1 - in_z * (z(i, j, k + 1) - z(i, j, k - 1) + (z(i - 1, j, k + 1) - z(i - 1, j, k - 1)))};
-    to(i, j, k) = bounded(volume_factor(A.determinant()) * A.product_xz());
+    to(i, j, k) = bounded(FactorOfB(A.determinant()).factor * A.product_xz());
   });
 }
 
@@ -188,7 +190,7 @@ void StrainSweep::edges_xy(const Strain& s, int j, int k, View<Real> to) const {
                         zx0[i] + up * (zx1[i] - zx0[i]),
                         -in_y * rise,
                         zz0[i] + up * (zz1[i] - zz0[i])};
-    to(i, j, k) = bounded(volume_factor(A.determinant()) * A.product_xy());
+    to(i, j, k) = bounded(FactorOfB(A.determinant()).factor * A.product_xy());
   });
 }
 
@@ -213,7 +215,7 @@ void StrainSweep::edges_yz(const Strain& s, int j, int k, View<Real> to) const {
                         zx0[i] + up * (zx1[i] - zx0[i]),
                         -inv_dy * (z(i, j, k) - z(i, j - 1, k)),
                         zz0[i] + up * (zz1[i] - zz0[i])};
-    to(i, j, k) = bounded(volume_factor(A.determinant()) * A.product_yz());
+    to(i, j, k) = bounded(FactorOfB(A.determinant()).factor * A.product_yz());
   });
 }
 

@@ -43,7 +43,7 @@ TEST(Strain, BOfAVolumePreservingMap) {
 }
 
 TEST(Strain, AFalseChangeOfVolumeIsNotSeen) {
-  for (const double s : {0.75, 0.9, 1.2, 1.5}) {
+  for (const double s : {0.8, 0.9, 1.2, 1.5}) {  // from det A = 0.51 on
     const auto& A = kInverse;
     expect_b_of({s * A.xx, s * A.xy, s * A.xz, s * A.yx, s * A.yy, s * A.yz, s * A.zx, s * A.zy, s * A.zz},
                 kF);
@@ -57,6 +57,28 @@ TEST(Strain, VolumeFactorIsThePower) {
   for (double J = 5; J < 1e6; J *= 3) {
     EXPECT_GT(volume_factor(J), 0);
     EXPECT_LT(volume_factor(J), 1);
+  }
+}
+
+TEST(Strain, ATornPointBearsNoStress) {
+  const auto scaled = [](double s) {
+    const auto& A = kInverse;
+    return left_cauchy_green(
+        {s * A.xx, s * A.xy, s * A.xz, s * A.yx, s * A.yy, s * A.yz, s * A.zx, s * A.zy, s * A.zz});
+  };
+  const double whole = scaled(1).xy;
+  ASSERT_GT(std::abs(whole), 0.01);
+  double before = whole;
+  for (const double J : {0.4, 0.3, 0.2}) {  // the rest falls as det A does
+    const double left = scaled(std::cbrt(J)).xy;
+    EXPECT_LT(left / before, 1) << J;
+    EXPECT_GT(left / before, 0) << J;
+    before = left;
+  }
+  for (const double s : {0.45, 0.1, -1.0}) {
+    const SymmetricTensor B = scaled(s);
+    for (const double normal : {B.xx, B.yy, B.zz}) EXPECT_EQ(normal, 1) << s;
+    for (const double shear : {B.xy, B.xz, B.yz}) EXPECT_EQ(shear, 0) << s;
   }
 }
 
