@@ -1,12 +1,10 @@
 #include "solver/statistics/energy_budget.hpp"
 
-#include <algorithm>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "solver/case/elastic_law.hpp"
-#include "solver/grid/cell_loop.hpp"
 #include "solver/parallel/reduce.hpp"
 #include "solver/solid/cofactors.hpp"
 #include "solver/solid/stress_work.hpp"
@@ -125,29 +123,24 @@ class AllForces {
  public:
   explicit AllForces(const Grid& g) : grid_(g), sum_(g, 1, grid::Memory::kByPlane) {}
 
-  void add(int j, int k, const MomentumRow& f) {
-    add_row(sum_.x, j, k, f.x);
-    if (j > 0) add_row(sum_.y, j, k, f.y);
-    add_row(sum_.z, j, k, f.z);
+  void add(int j, int k, const MomentumRow& f, Real factor = 1) {
+    add_row(sum_.x, j, k, f.x, factor);
+    if (j > 0) add_row(sum_.y, j, k, f.y, factor);
+    add_row(sum_.z, j, k, f.z, factor);
   }
   void add(const grid::VectorField& f, int j0, int j1, Real factor) {
-    const auto add_to = [&](grid::Field& component, const grid::Field& more, int first) {
-      const auto sum = component.view();
-      const auto addend = more.view();
-      grid::for_each_cell(grid::rows(grid_, first, j1),
-                          [=](int i, int j, int k) { sum(i, j, k) += factor * addend(i, j, k); });
-    };
-    add_to(sum_.x, f.x, j0);
-    add_to(sum_.y, f.y, std::max(j0, 1));
-    add_to(sum_.z, f.z, j0);
+    const auto x = f.x.view(), y = f.y.view(), z = f.z.view();
+    for (int k = 0; k < grid_.nz; ++k) {
+      for (int j = j0; j < j1; ++j) add(j, k, {&x(0, j, k), &y(0, j, k), &z(0, j, k)}, factor);
+    }
   }
   grid::VectorField& sum() { return sum_; }
 
  private:
-  void add_row(grid::Field& component, int j, int k, const Real* more) {
+  void add_row(grid::Field& component, int j, int k, const Real* more, Real factor) {
     Real* const sum = &component(0, j, k);
 #pragma omp simd
-    for (int i = 0; i < grid_.nx; ++i) sum[i] += more[i];
+    for (int i = 0; i < grid_.nx; ++i) sum[i] += factor * more[i];
   }
 
   const Grid& grid_;

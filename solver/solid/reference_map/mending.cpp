@@ -48,7 +48,7 @@ int Damage::finish_row(int j, int k, const View<Real>& B_xx, const View<Real>& B
   if (!any) return 0;
   const int torn = count(row, nx_, [](Real damage) { return damage == kTorn; });
   for (int i = -1; i < nx_; ++i) {
-    if (row[i] > 0) row[i] = std::min(row[i], kWhole) * rate_.of(B_xx(i, j, k), B_zz(i, j, k));
+    if (row[i] > 0) row[i] = std::min(row[i], kWhole) * rate_.of(B_xx(i, j, k), B_zz(i, j, k), row[i]);
   }
   return torn;
 }

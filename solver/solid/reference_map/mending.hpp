@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "solver/case/elastic_law.hpp"
+#include "solver/solid/reference_map/strain.hpp"
 #include "solver/solid/reference_map/transport.hpp"
 
 /// Mends a map that the grid has torn. Under a surface that the grid cannot resolve (waves about to break),
@@ -40,14 +42,16 @@ inline constexpr Real kWhole = 1, kTorn = 2;
 /// together cross it. It is a rate, and not a share for each substep, so that a run of shorter steps is not
 /// mended more; and it rises with the stretch that makes a step short, so that it does not fade just where a
 /// map is about to tear (a rate that was the same everywhere did: 96 x (96 + 24) x 96 cells, G = 0.25, t =
-/// 24; with three times instead of six steps fell to 0.002 there).
+/// 24; with three times instead of six steps fell to 0.002 there). A torn cell, whose B says nothing any more
+/// (kept_share), counts as stretched by the most.
 struct MendingRate {
   Real wave_x, wave_z;  ///< 4 stiffness / spacing^2 of a cell that is not stretched
   Real flow;            ///< U_b / dx
   MendingRate(const ElasticLaw<Real>& law, const Grid& grid);
-  [[nodiscard]] Real of(Real B_xx, Real B_zz) const {
+  [[nodiscard]] Real of(Real B_xx, Real B_zz, Real damage) const {
     constexpr Real kHaste = 6;
-    return kHaste * (std::sqrt(wave_x * B_xx + wave_z * B_zz) + flow);
+    const Real least = kLargestStretch * (damage - kWhole) / (kTorn - kWhole);
+    return kHaste * (std::sqrt(wave_x * std::max(B_xx, least) + wave_z * std::max(B_zz, least)) + flow);
   }
 };
 
