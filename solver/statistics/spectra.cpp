@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "solver/statistics/interface_columns.hpp"
 #include "solver/statistics/interface_height.hpp"
 #include "solver/statistics/interface_moments.hpp"
+#include "solver/statistics/interface_pairs.hpp"
 #include "solver/statistics/packed_reader.hpp"
 #include "solver/statistics/spectra_arrays.hpp"
 
@@ -15,7 +17,8 @@ std::vector<double> copy(std::span<const double> values) { return {values.begin(
 
 constexpr const char *kSchedule = "spectra_schedule", *kFlow = "spectra_of_flow",
                      *kBudget = "energy_budget_with_rates", *kBeforeBudget = "energy_before",
-                     *kInterface = "interface_moments", *kWaves = "interface_waves";
+                     *kInterface = "interface_moments", *kPairs = "interface_pairs",
+                     *kWaves = "interface_waves";
 
 }  // namespace
 
@@ -32,6 +35,7 @@ Spectra::Spectra(time::Setup& setup, std::int64_t interval_steps)
   }
   if (!setup.solid) return;
   of_interface_.emplace(shortest, kInterfaceMoments.size() + kHeightBins);
+  of_pairs_.emplace(shortest, kPairValues);
   waves_.emplace(setup.grid);
 }
 
@@ -58,7 +62,10 @@ void Spectra::sample_fields(const time::State& s, double weight, const std::vect
     if (const auto budget = budget_->sample(s, setup_, weight))
       of_budget_->add_sample(s.time, weight, *budget);
   }
-  if (of_interface_) of_interface_->add_sample(s.time, weight, interface_sample(s, heights, setup_));
+  if (!of_interface_) return;
+  const auto columns = interface_columns(s, heights, setup_);
+  of_interface_->add_sample(s.time, weight, interface_sample(columns, setup_));
+  of_pairs_->add_sample(s.time, weight, interface_pair_sample(columns, setup_));
 }
 
 Spectra::Packed Spectra::pack() const {
@@ -71,6 +78,7 @@ Spectra::Packed Spectra::pack() const {
     if (!budget_->before().empty()) packed[kBeforeBudget] = budget_->before();
   }
   if (of_interface_) packed[kInterface] = of_interface_->pack(copy);
+  if (of_pairs_) packed[kPairs] = of_pairs_->pack(copy);
   if (waves_) packed[kWaves] = waves_->pack();
   return packed;
 }
@@ -97,6 +105,7 @@ void Spectra::unpack(const Packed& packed) {
   if (budget_)
     with(kBeforeBudget, [this](std::span<const double> values) { budget_->continue_from(values); });
   replicated(kInterface, of_interface_);
+  replicated(kPairs, of_pairs_);
   if (waves_) with(kWaves, [this](std::span<const double> values) { waves_->unpack(values); });
 }
 
@@ -107,6 +116,7 @@ std::vector<analysis::NamedArray> Spectra::arrays() const {
   append_spectra(*flow_, *of_flow_, last_sample_, setup_, arrays);
   if (of_budget_) append_budget(*of_budget_, last_sample_, setup_, arrays);
   if (of_interface_) append_interface(*of_interface_, last_sample_, setup_, arrays);
+  if (of_pairs_) append_pairs(*of_pairs_, last_sample_, setup_, arrays);
   if (waves_) append_waves(*waves_, arrays);
   if (setup_.decomposition.all().rank() != 0) arrays.clear();
   return arrays;

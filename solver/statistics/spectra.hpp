@@ -16,9 +16,9 @@
 namespace softwall::statistics {
 
 /// Statistics that take more work or room than profiles do, and so are sampled more rarely and kept in a few
-/// long blocks: spectra of the flow, the budget of its energy, moments and distribution of the
-/// interface, and its waves in time. Of channels; a closed box has none. Like Statistics it samples steps
-/// that end after start_time, and continues bit for bit from what it packed.
+/// long blocks: spectra of the flow, the budget of its energy, moments, distribution and joint
+/// distributions of the interface, and its waves in time. Of channels; a closed box has none. Like Statistics
+/// it samples steps that end after start_time, and continues bit for bit from what it packed.
 class Spectra {
  public:
   /// Samples at steps that `interval_steps` divides; 0: never. Refers to `setup` for as long as it lives, and
@@ -47,7 +47,7 @@ class Spectra {
   std::int64_t interval_steps_;
   std::optional<FlowSpectra> flow_;
   std::optional<EnergyBudget> budget_;
-  std::optional<MergingBlocks> of_flow_, of_budget_, of_interface_;
+  std::optional<MergingBlocks> of_flow_, of_budget_, of_interface_, of_pairs_;
   std::optional<InterfaceModes> waves_;
   bool started_ = false;
   double last_sample_ = 0;  ///< time up to which samples stand for the flow, h / U_b

@@ -6,6 +6,7 @@
 #include "solver/case/time_comparison.hpp"
 #include "solver/statistics/energy_budget.hpp"
 #include "solver/statistics/interface_moments.hpp"
+#include "solver/statistics/interface_pairs.hpp"
 
 namespace softwall::statistics {
 
@@ -160,6 +161,34 @@ void append_interface(const MergingBlocks& blocks, double last_sample, const tim
                     "part of the interface whose height less its mean lies in a bin",
                     {count, std::size_t{kHeightBins}},
                     means(blocks, kInterfaceMoments.size(), kHeightBins)});
+}
+
+void append_pairs(const MergingBlocks& blocks, double last_sample, const time::Setup& setup, Arrays& arrays) {
+  constexpr std::size_t kBins{kPairBins};
+  append_blocks("interface_pairs", blocks, last_sample, arrays);
+  for (std::size_t n = 0; n < kInterfacePairs.size(); ++n) {
+    const std::string first(kInterfacePairs[n].first), second(kInterfacePairs[n].second);
+    arrays.push_back({"interface_pairs",
+                      "share_" + first + "_" + second,
+                      "1",
+                      "part of the mean interface where the fluctuation of " + first +
+                          " (first) lies in one bin and that of " + second + " in another",
+                      {blocks.all().size(), kBins, kBins},
+                      means(blocks, n * kBins * kBins, kBins * kBins)});
+  }
+  for (const auto quantity : kBinnedQuantities) {
+    const auto edges = pair_bin_edges(quantity, setup.grid);
+    const std::string name(quantity);
+    arrays.push_back({"interface_pairs",
+                      "edges_" + name,
+                      name == "v"   ? "U_b"
+                      : name == "p" ? "rho U_b^2"
+                                    : "h",
+                      "bounds of the bins of " + name + "; what lies beyond is in the last one",
+                      {edges.size()},
+                      edges,
+                      true});
+  }
 }
 
 void append_waves(const InterfaceModes& waves, Arrays& arrays) {

@@ -25,6 +25,8 @@ void append_budget(const MergingBlocks& blocks, double last_sample, const time::
 void append_interface(const MergingBlocks& blocks, double last_sample, const time::Setup& setup,
                       Arrays& arrays);
 
+void append_pairs(const MergingBlocks& blocks, double last_sample, const time::Setup& setup, Arrays& arrays);
+
 void append_waves(const InterfaceModes& waves, Arrays& arrays);
 
 }  // namespace softwall::statistics

@@ -9,6 +9,7 @@
 
 #include "solver/statistics/interface_height.hpp"
 #include "solver/statistics/interface_moments.hpp"
+#include "solver/statistics/interface_pairs.hpp"
 #include "tests/statistics/flows.hpp"
 
 namespace softwall::statistics {
@@ -42,7 +43,7 @@ TEST(Spectra, ContinueBitForBitFromWhatWasPackedAtAnyMoment) {
       whole.sample_step(s, dt);
       for (auto& spectra : resumed) spectra->sample_step(s, dt);
     });
-    EXPECT_EQ(whole.pack().size(), physics.solid ? 6u : 4u);
+    EXPECT_EQ(whole.pack().size(), physics.solid ? 7u : 4u);
     for (const auto& spectra : resumed) EXPECT_EQ(spectra->pack(), whole.pack());
   }
 }
@@ -139,7 +140,7 @@ TEST(InterfaceMoments, OfAWave) {
     if (j < g.ny) s.pressure(i, j, kz) = 5 + (g.y_center[j] - 1) * std::cos(k * middle);
   });
   time::start(s, setup);
-  const auto sample = interface_sample(s, heights, setup);
+  const auto sample = interface_sample(interface_columns(s, heights, setup), setup);
   const auto moment = [&](std::string_view name) {
     const auto place = std::ranges::find(kInterfaceMoments, name) - kInterfaceMoments.begin();
     return sample[static_cast<std::size_t>(place)];
@@ -164,7 +165,7 @@ TEST(InterfaceMoments, CountEveryColumnInItsBin) {
   for_columns(g, 0, 1, [&](int i, int, int kz, double x, double) {
     if (x > 1.9) heights[static_cast<std::size_t>(i + g.nx * kz)] += 0.2;  // half of the columns
   });
-  const auto sample = interface_sample(s, heights, setup);
+  const auto sample = interface_sample(interface_columns(s, heights, setup), setup);
   const auto edges = height_bin_edges(g);
   EXPECT_DOUBLE_EQ(edges.front(), -0.5);
   EXPECT_DOUBLE_EQ(edges.back(), 0.5);
