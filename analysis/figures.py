@@ -33,6 +33,7 @@ FIGURES = {
     "correlations_z": ("plot_correlations.py", "--axis", "z"),
     "spectra": ("plot_spectra.py",),
     "interface_shape": ("plot_interface_shape.py",),
+    "interface_pairs": ("plot_interface_pairs.py",),
     "wave_speeds": ("plot_wave_speeds.py",),
     "stress": ("plot_stress.py",),
 }

@@ -32,6 +32,7 @@ TITLES = {"time_series": "Friction and deformation in time", "friction": "Fricti
           "elastic_stress": "Elastic stress", "velocity_planes": "Streamwise velocity along the upper wall",
           "correlations_x": "Correlations along the flow", "correlations_z": "Correlations across the flow",
           "spectra": "Spectra of the flow", "interface_shape": "Shape of the interface",
+          "interface_pairs": "Velocity, pressure and height at the interface together",
           "wave_speeds": "Speeds of the waves at the interface", "stress": "Balance of shear stress"}
 QUANTITIES = (("re_tau_w", "Re<sub>τ</sub><sup>w</sup>", 1), ("re_tau", "Re<sub>τ</sub>", 1), ("u_max", "u<sub>M</sub>", 3),
               ("y_max", "y<sub>M</sub>", 3), ("d", "d", 3), ("k_plus_dk", "k+Δk", 2), ("delta_u_plus", "ΔU<sup>+</sup>", 1),

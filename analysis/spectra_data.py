@@ -34,7 +34,8 @@ class Means:
 
 class Spectra:
     """spectra.h5 of a case from its averaging window on. The constructor raises OSError or KeyError where it cannot be
-    read. `flow`, `budget` and `interface` are Means; the latter is None without an elastic wall."""
+    read. `flow`, `budget`, `interface` and `pairs` are Means; the last two are None without an elastic wall, `pairs` also
+    where an earlier version of the solver has summed all there is."""
 
     def __init__(self, case):
         with h5py.File(case.directory / "spectra.h5") as file:
@@ -44,10 +45,13 @@ class Spectra:
             self.columns = dict(zip("xz", grid["columns"][:].astype(int)))
             self.flow = Means(file["spectra"], case.start[0])
             self.budget = Means(file["budget"], case.start[0]) if "budget" in file else None
-            self.interface, self.waves = None, None
+            self.interface, self.pairs, self.waves = None, None, None
             if "interface" in file:
                 self.interface = Means(file["interface"], case.start[0])
                 self.bin_edges = file["interface/bin_edges"][:]
+            if "interface_pairs" in file:
+                self.pairs = Means(file["interface_pairs"], case.start[0])
+                self.pair_edges = {name: file[f"interface_pairs/edges_{name}"][:] for name in ("v", "p", "eta")}
             if "interface_waves" in file:
                 waves = file["interface_waves"]
                 self.waves = waves["time"][:], waves["real"][:] + 1j * waves["imaginary"][:]

@@ -195,7 +195,7 @@ class Figures(unittest.TestCase):
                 done = draw(ROOT / "analysis" / f"plot_{name}.py", folder)
                 self.assertEqual(done.returncode, 1)
                 self.assertRegex(done.stderr, "^no .* has (spectra, )?a snapshot or a checkpoint\n$")
-            for name in ("spectra", "energy_budget", "interface_shape", "wave_speeds"):
+            for name in ("spectra", "energy_budget", "interface_shape", "interface_pairs", "wave_speeds"):
                 done = draw(ROOT / "analysis" / f"plot_{name}.py", folder)
                 self.assertEqual(done.returncode, 1)
                 self.assertRegex(done.stderr, "^no .* has .* in its averaging window\n$")

@@ -81,6 +81,26 @@ class SpectraFile(unittest.TestCase):
         self.assertAlmostEqual(skewness, 0)
         self.assertAlmostEqual(flatness, 1.5)
 
+    def test_joint_densities_have_area_one_and_the_correlation_of_the_wave(self):
+        spectra = spectra_data.read_spectra(FakeCase(self.folder, 0))
+        for pair, exact in ((("v", "eta"), 0), (("p", "eta"), 0.5), (("v", "p"), 3**0.5 / 2)):
+            self.assertAlmostEqual(plot_interface_pairs.correlation(spectra, pair), exact)
+            first, second, density = plot_interface_pairs.density(spectra, pair)
+            share = density * np.outer(np.diff(first), np.diff(second))
+            self.assertAlmostEqual(share.sum(), 1)
+            middle = [(edges[1:] + edges[:-1]) / 2 for edges in (first, second)]
+            self.assertAlmostEqual((share * np.outer(*middle)).sum(), exact, delta=0.02)
+
+    def test_where_an_earlier_version_has_summed_no_joint_distribution_the_panel_says_so(self):
+        with h5py.File(self.folder / "spectra.h5", "r+") as data:
+            data.move("interface_pairs", "something_else")
+        spectra = spectra_data.read_spectra(FakeCase(self.folder, 0))
+        self.assertIsNone(spectra.pairs)
+        panel = matplotlib.figure.Figure().subplots()
+        self.assertIsNone(plot_interface_pairs.draw(panel, spectra, ("p", "eta")))
+        self.assertEqual(panel.get_title(), "correlation 0.50")
+        self.assertIn("no joint distribution", panel.texts[0].get_text())
+
 
 class EnergyBudgets(unittest.TestCase):
     def setUp(self):
@@ -155,8 +175,11 @@ if __name__ == "__main__":
     import numpy as np
 
     import energy_budget
+    import matplotlib.figure
     import moments
+    import plot_interface_pairs
     import plot_interface_shape
+    import plot_rigid_channel
     import spectra_data
     import wave_spectrum
     unittest.main(argv=sys.argv[:1])
