@@ -2,7 +2,8 @@
 """The rigid channel of runs/validation against Moser, Kim & Mansour, Phys. Fluids 11 (1999): mean velocity, rms,
 shear stress and two-point correlations, with 95 % intervals; prints every number that a bar is set on.
 
-Profiles come from statistics.h5, both halves of the channel as one; correlations from the snapshots in fields/.
+Both halves of the channel count as one. Profiles come from statistics.h5; correlations from spectra.h5, which has them exactly,
+or where a case has none from the snapshots in fields/.
 """
 
 import math
@@ -10,6 +11,7 @@ import sys
 
 from campaign_data import arguments, caption, judge, plt, read_campaign, read_reference, save
 from flow_fields import autocorrelation
+from spectra_data import read_spectra
 
 import batches
 import h5py
@@ -69,15 +71,26 @@ def peak_of(channel, y_plus, name):
     return *peak(y_plus, values), channel.ci95[name][np.argmax(values)]
 
 
-class Correlations:
+class FromSpectra:
     """R_ii(separation) / R_ii(0) along x and z in the rows nearest to given distances from the walls."""
 
-    def __init__(self, case, y_plus_per_h):
-        files = sorted(case.directory.glob("fields/fields-*.h5"))
-        files = [file for file in files if self._time(file) >= case.start[0]]
-        self.snapshots = len(files)
-        if not files:
-            return
+    def __init__(self, spectra, y_plus_per_h):
+        self.words = f"the spectra of {spectra.flow.weight.sum():.0f} $h/U_b$"
+        self.separation = {axis: spectra.length[axis] / n * np.arange(n // 2 + 1) for axis, n in spectra.columns.items()}
+        self.along = {axis: {(name, at): self._of_both_halves(spectra, axis, name, at / y_plus_per_h)
+                             for name in "uvw" for at in CORRELATED_AT} for axis in "xz"}
+
+    @staticmethod
+    def _of_both_halves(spectra, axis, name, y):
+        rows, heights = spectra.correlation(axis, name), spectra.heights(name)
+        return np.mean([rows[np.argmin(abs(heights - each))] for each in (y, 2 - y)], axis=0)
+
+
+class FromSnapshots:
+    """The same of snapshots, of which there is at least one."""
+
+    def __init__(self, case, files, y_plus_per_h):
+        self.words = f"{len(files)} snapshots"
         self.rows = {at: int(np.argmin(abs(case.y["center"] * y_plus_per_h - at))) for at in CORRELATED_AT}
         planes = {(name, at): self._planes(files, name, row) for name in "uvw" for at, row in self.rows.items()}
         with h5py.File(files[0]) as data:
@@ -85,11 +98,6 @@ class Correlations:
                                for axis in "xz"}
         self.along = {axis: {key: self._correlate(values, number) for key, values in planes.items()}
                       for number, axis in ((2, "x"), (1, "z"))}
-
-    @staticmethod
-    def _time(file):
-        with h5py.File(file) as data:
-            return float(np.ravel(data["time"][()])[0])
 
     @staticmethod
     def _planes(files, name, row):
@@ -108,6 +116,19 @@ class Correlations:
         """Autocorrelation of [sample][z][x] along an axis, averaged over the rest, over its value at 0."""
         correlation = autocorrelation(planes, axis).mean(axis=tuple({0, 1, 2} - {axis}))
         return correlation / correlation[0]
+
+
+def time_of(snapshot):
+    with h5py.File(snapshot) as data:
+        return float(np.ravel(data["time"][()])[0])
+
+
+def correlations_of(case, y_plus_per_h):
+    """Those that are known best, or None where there are none in the averaging window."""
+    if spectra := read_spectra(case):
+        return FromSpectra(spectra, y_plus_per_h)
+    files = [file for file in sorted(case.directory.glob("fields/fields-*.h5")) if time_of(file) >= case.start[0]]
+    return FromSnapshots(case, files, y_plus_per_h) if files else None
 
 
 def compare(channel, reference):
@@ -195,15 +216,15 @@ def main():
     channel = Channel(case)
     reference = read_reference("mkm180_profiles.csv")
     compare(channel, reference)
-    correlations = Correlations(case, channel.values["re_tau"])
-    figure, axes = plt.subplots(3 if correlations.snapshots else 1, 3, figsize=(12, 10.5), layout="constrained", squeeze=False)
+    correlations = correlations_of(case, channel.values["re_tau"])
+    figure, axes = plt.subplots(3 if correlations else 1, 3, figsize=(12, 10.5), layout="constrained", squeeze=False)
     draw_profiles(axes[0], channel, reference)
-    if correlations.snapshots:
+    if correlations:
         report_correlations(correlations)
         for row, axis in enumerate("xz", start=1):
             draw_correlations(axes[row], correlations, axis)
             axes[row, 2].set_axis_off()
-    save(figure, options, __file__, caption([case]) + f" Correlations from {correlations.snapshots} snapshots.")
+    save(figure, options, __file__, caption([case]) + (f" Correlations from {correlations.words}." if correlations else ""))
 
 
 if __name__ == "__main__":

@@ -182,8 +182,9 @@ class Figures(unittest.TestCase):
             make_campaign(folder)
             for file in pathlib.Path(folder).glob("cases/*/spectra.h5"):
                 file.unlink()
-            output = pathlib.Path(folder) / "correlations.png"
-            self.assert_drawn(draw(CORRELATIONS, folder, "-o", output), output)
+            for script in (CORRELATIONS, ROOT / "analysis" / "plot_rigid_channel.py"):
+                output = pathlib.Path(folder) / "correlations.png"
+                self.assert_drawn(draw(script, folder, "-o", output), output)
 
     def test_flow_without_moments_is_explained(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -65,6 +65,20 @@ class SpectraFile(unittest.TestCase):
         self.assertTrue((spectra.heights("v") == self.y_face[:-1]).all())
         self.assertEqual(spectra.correlation("z", "v").shape, (len(self.y_face) - 1, moments.NZ // 2 + 1))
 
+    def test_a_rigid_channel_has_the_correlations_of_both_its_halves(self):
+        with h5py.File(self.folder / "spectra.h5", "r+") as data:
+            for axis in "xz":  # each row has other correlations
+                data[f"spectra/{axis}_v"][:, 2] += 0.01 * np.arange(len(self.y_face) - 1, dtype="f4")
+        spectra = spectra_data.read_spectra(FakeCase(self.folder, 0))
+        found = plot_rigid_channel.FromSpectra(spectra, 100)  # y+ = 98 is y = 0.98 and 1.02
+        for axis, n, length in (("x", moments.NX, moments.LENGTH_X), ("z", moments.NZ, moments.LENGTH_Z)):
+            self.assertAlmostEqual(found.separation[axis][-1], length / 2)
+            rows, row_of = spectra.correlation(axis, "v"), lambda y: np.argmin(abs(self.y_face - y))
+            expected = (rows[row_of(0.2)] + rows[row_of(1.8)]) / 2
+            at_low = plot_rigid_channel.FromSpectra(spectra, 50).along[axis]["v", 10]
+            self.assertLess(abs(at_low - expected).max(), 1e-14)
+            self.assertEqual(found.along[axis]["u", 98].shape, (n // 2 + 1,))
+
     def test_without_a_block_in_the_window_or_a_file_there_is_nothing(self):
         self.assertIsNone(spectra_data.read_spectra(FakeCase(self.folder, 25)))
         (self.folder / "spectra.h5").write_bytes(b"damaged")
