@@ -34,7 +34,7 @@ def main():
         right.plot(difference, ghia["y"], "o-", color=str(shade), markersize=3, linewidth=0.8)
     left.plot(ghia["u"], ghia["y"], "rs", markerfacecolor="none", label="Ghia et al. (1982)")
     left.set(xlabel="$u$ at $x = 1/2$", ylabel="$y$")
-    left.legend(fontsize=8)
+    left.legend(fontsize="small")
     right.set(xlabel="difference from the table", ylabel="$y$")
     right.axvline(0, color="red", linewidth=0.6)
     right.locator_params(axis="x", nbins=5)

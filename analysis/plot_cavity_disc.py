@@ -78,7 +78,7 @@ def main():
         panel.set(title=f"$t = {time}$", xlim=(0, 1), ylim=(0, 1), aspect="equal", xticks=[0, 1], yticks=[0, 1])
     path_panel.plot(*reference.T, "ro", markersize=3, markerfacecolor="none", label="Sugiyama et al. (2011)")
     path_panel.set(xlabel="$x$", ylabel="$y$", aspect="equal", title="path of the centroid", ylim=(0.4, 0.9))
-    path_panel.legend(fontsize=8, loc="lower left")
+    path_panel.legend(fontsize="small", loc="lower left")
     save(figure, options, __file__, "Lines phi = 1/2; Re = 100, G = 0.1, equal viscosities and densities.")
 
 

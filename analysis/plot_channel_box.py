@@ -40,7 +40,7 @@ def draw(axes, channels, reference):
             draw_profile(panel, channel.y_plus, channel, name, f"C{number}", f"{box_text(channel.case)}, {channel.case.grid}")
         panel.plot(reference["y_plus"], reference[column], "k+", markersize=4, label="Moser et al. (1999)")
         panel.set(xlim=(0, 180), xlabel="$y^+$", ylabel=f"${name}^+$")
-    axes[-1].legend(fontsize=7)
+    axes[-1].legend(fontsize="x-small")
 
 
 def main():

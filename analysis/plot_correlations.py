@@ -84,7 +84,7 @@ def main():
     for column, source in zip(rows.T, found):
         for panel, name in zip(column, "uvw"):
             shades = draw(panel, source, name, options.axis)
-        column[0].set_title(f"{source.case.name}\n{source.words}", fontsize=9)
+        column[0].set_title(f"{source.case.name}\n{source.words}", fontsize="small")
         column[-1].set_xlabel(rf"${options.axis}/h$")
     for panel, name in zip(rows[:, 0], "uvw"):
         panel.set_ylabel(rf"${name}'$:  $y/h$")

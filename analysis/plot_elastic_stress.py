@@ -32,7 +32,7 @@ def main():
                   xlim=(lowest, max(case.y["face"][-1] for case in cases)))
     axes[0].set_title("(a) streamwise, less that of a wall at rest")
     axes[1].set_title("(b) shear")
-    axes[1].legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.01, 1))
+    axes[1].legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.01, 1))
     save(figure, options, __file__, caption(cases) + " Bands: 95 % intervals.")
 
 

@@ -51,8 +51,8 @@ def main():
     for row in panels:
         row[0].set_ylabel(r"$\rho U_b^3/h$")
     most = max(panels.flat, key=lambda panel: len(panel.lines))  # that of an elastic wall, if there is one
-    panels[0, -1].legend(handles=[line for line in most.lines if line.get_label()[0] != "_"], fontsize=7, loc="upper left",
-                         bbox_to_anchor=(1.01, 1))
+    panels[0, -1].legend(handles=[line for line in most.lines if line.get_label()[0] != "_"], fontsize="x-small",
+                         loc="upper left", bbox_to_anchor=(1.01, 1))
     save(figure, options, __file__, f"Grid {grids_of(case for case, _ in found)}. Fluctuations about the mean over time and plane, "
                                     "in fluid and wall; terms as the scheme has them.")
 

@@ -30,7 +30,7 @@ def main():
         panel.axvline(2, color="grey", linewidth=0.5)
     for panel in axes[1]:
         panel.set(xlabel=r"$y/h$", xlim=(0, None))
-    axes[0, 0].legend(fontsize=7)
+    axes[0, 0].legend(fontsize="x-small")
     save(figure, options, __file__, caption(cases) + " Bands: 95 % intervals.")
 
 

@@ -75,7 +75,7 @@ def main():
     axes.set(xscale="log", xlabel=LABEL_G, ylabel=r"$Re_\tau$, $Re_\tau^w$")
     axes.set_xticks([0.25, 0.5, 1, 2, 4], ["0.25", "0.5", "1", "2", "4"], minor=False)
     axes.minorticks_off()
-    axes.legend(fontsize=7, loc="center left", bbox_to_anchor=(1.01, 0.5))
+    axes.legend(fontsize="x-small", loc="center left", bbox_to_anchor=(1.01, 0.5))
     save(figure, options, __file__, caption(cases) + "\nFull symbols: upper wall; open: bottom wall. Bars: 95 % confidence; pale symbols: none can be given.")
 
 

@@ -113,7 +113,7 @@ def main():
         panel.set(xscale="log", yscale="log", xlabel="cells a wave", ylabel=f"error of the {quantity}")
         panel.set_xticks(sizes, [str(n) for n in sizes])
         panel.minorticks_off()
-    panels[1].legend(fontsize=6.5, bbox_to_anchor=(1.02, 1), loc="upper left")
+    panels[1].legend(fontsize="x-small", bbox_to_anchor=(1.02, 1), loc="upper left")
     save(figure, options, __file__, "Small waves under laminar flow, Re 2800, layer 0.5: errors against linear theory. "
          f"Red: the bars, for {CELLS_OF_BAR} cells a wave.")
 

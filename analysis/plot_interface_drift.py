@@ -136,7 +136,7 @@ def main():
             right.plot(middle(case), case.series["driving_gradient"], linewidth=0.8, label=f"{option_of(case)}, {case.grid}")
     right.set(xlabel=r"$t U_b/h$", ylabel="driving gradient")
     for panel in (left, right):
-        panel.legend(fontsize=6)
+        panel.legend(fontsize="xx-small")
     save(figure, options, __file__, caption(cases))
 
 

@@ -48,7 +48,7 @@ def draw_density(panel, found):
                   label=f"{case.name}: skewness {skewness:.2f}, flatness {flatness:.2f}")
     panel.set(yscale="log", xlim=(-RMS_SHOWN, RMS_SHOWN), ylim=(1e-5, 1), xlabel=r"$(\eta-\overline{\eta})/\eta'$",
               ylabel=r"density $\times\,\eta'$", title="(c)")
-    panel.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.01, 1))
+    panel.legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.01, 1))
 
 
 def main():

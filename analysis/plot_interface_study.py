@@ -72,7 +72,7 @@ def main():
             panel.minorticks_off()
     handles, labels = axes[0, 0].get_legend_handles_labels()
     first = dict(zip(labels[::-1], handles[::-1]))
-    axes[0, 0].legend(first.values(), first.keys(), fontsize=6)
+    axes[0, 0].legend(first.values(), first.keys(), fontsize="xx-small")
     save(figure, options, __file__, caption(cases) + " Bars: 95 % confidence.")
 
 

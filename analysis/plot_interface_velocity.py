@@ -38,7 +38,7 @@ def plot_softness(panel, cases):
                       y_width=batches.half_width(case, lambda each: at_interface(each, name)))
     panel.set(xlabel=r"$\rho U_b^2/G$", ylabel=r"rms at $y=2h$, $U_b$", xlim=(0, None), ylim=(0, None),
               title=r"(a) open symbols: $\mu^s/\mu^f\neq1$")
-    panel.legend(fontsize=8)
+    panel.legend(fontsize="small")
 
 
 def plot_shift(panel, cases):
@@ -55,7 +55,7 @@ def plot_shift(panel, cases):
                   x_width=scaled * width / change, label=case.name)
     if panel.containers:
         panel.plot([0, largest], [0, largest], "k-", linewidth=0.8)
-        panel.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.01, 1))
+        panel.legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.01, 1))
     else:
         panel.text(0.5, 0.5, "no wall whose log law has a slope\nother than the rigid wall's", ha="center", va="center",
                    transform=panel.transAxes)

@@ -121,7 +121,7 @@ def finish(heights, errors, sizes):
         panel.yaxis.set_major_formatter("{x:g}")
         panel.set_xticks(sizes, [str(n) for n in sizes])
         panel.minorticks_off()
-    errors[1].legend(fontsize=6.5, bbox_to_anchor=(1.02, 1), loc="upper left")
+    errors[1].legend(fontsize="x-small", bbox_to_anchor=(1.02, 1), loc="upper left")
 
 
 def main():

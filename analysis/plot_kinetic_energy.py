@@ -34,7 +34,7 @@ def main():
         panel.set(xlabel=r"$y/h$", ylabel=rf"$\mathcal{{K}}/{unit}$", xlim=(0, None), ylim=(0, None))
     axes[0].set_title("(a) units of the bottom wall")
     axes[1].set_title("(b) units of the upper wall")
-    axes[1].legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.01, 1))
+    axes[1].legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.01, 1))
     save(figure, options, __file__, caption(cases) + " Bands: 95 % intervals.")
 
 

@@ -48,7 +48,7 @@ def plot_profiles(axes, cases):
             axes.plot(*line, "-.", color=case.colour, linewidth=0.7)
     axes.set(xscale="log", xlabel=r"$(\tilde{y}+d)^+$", ylabel=r"$\overline{u}^+$", ylim=(0, 22),
              title="(a) upper wall; thin, dash-dotted: fitted log laws")
-    axes.legend(fontsize=8)
+    axes.legend(fontsize="small")
 
 
 def choose_case(cases, wanted):
@@ -78,7 +78,7 @@ def plot_indicator(axes, case):
         axes.axvspan(low, high, color="0.93", label="range of the fit")
     axes.set(xlabel=r"$\tilde{y}^+$", ylabel=r"$(\tilde{y}+d)^+\,d\overline{u}^+/d\tilde{y}^+$", xlim=(0, yt[-1]),
              ylim=(0, None), title=f"(b) {case.name}")
-    axes.legend(fontsize=8)
+    axes.legend(fontsize="small")
 
 
 def main():

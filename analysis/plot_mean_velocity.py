@@ -26,7 +26,7 @@ def plot_wall_units(axes, cases, reference):
     axes.plot(far, np.log(far) / 0.40 + 5.5, "k:", linewidth=0.8, label=r"$\ln y^{w+}/0.40+5.5$")
     axes.set(xscale="log", xlabel=r"$y^{w+}$", ylabel=r"$\overline{u}^{w+}$", xlim=(0.8, 300), ylim=(0, 22),
              title="(b) bottom wall, up to the maximum")
-    axes.legend(fontsize=8)
+    axes.legend(fontsize="small")
 
 
 def main():
@@ -35,7 +35,7 @@ def main():
     figure, (outer, wall) = plt.subplots(1, 2, figsize=(11, 4.5), layout="constrained")
     plot_outer(outer, cases, read_reference("mkm180_profiles_bulk.csv"))
     plot_wall_units(wall, cases, read_reference("mkm180_profiles.csv"))
-    outer.legend(fontsize=7, loc="lower center")
+    outer.legend(fontsize="x-small", loc="lower center")
     save(figure, options, __file__, caption(cases) + " Bands in (a): 95 % intervals.")
 
 

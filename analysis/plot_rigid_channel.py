@@ -176,7 +176,7 @@ def draw_profiles(axes, channel, reference):
     axes[2].plot(channel.y_plus_face, total, "k-", linewidth=0.8, label="total")
     axes[2].set(xlim=(0, 180), xlabel="$y^+$", ylabel="shear stress, $u_\\tau^2$")
     for panel in axes:
-        panel.legend(fontsize=7)
+        panel.legend(fontsize="x-small")
 
 
 def draw_correlations(axes, correlations, axis):
@@ -191,7 +191,7 @@ def draw_correlations(axes, correlations, axis):
         panel.set(xlim=(0, correlations.separation[axis][-1]), xlabel=f"separation in ${axis}/h$",
                   title=f"$y^+ = {at}$")
         panel.axhline(0, color="grey", linewidth=0.5)
-        panel.legend(fontsize=7)
+        panel.legend(fontsize="x-small")
 
 
 def report_correlations(correlations):

@@ -41,7 +41,7 @@ def main():
     for axis, panels in zip("xz", rows):
         for field, panel in zip(FIELDS, panels):
             draw(panel, found, axis, field)
-    rows[0, -1].legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.01, 1))
+    rows[0, -1].legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.01, 1))
     save(figure, options, __file__, f"Grid {grids_of(case for case, _ in found)}. Thick: {NEAR_WALL:g} h below the upper wall; "
                                     "thin: middle of the channel. The integral over k is the mean square.")
 

@@ -39,7 +39,7 @@ def main():
     for panel in axes.flat[len(cases):]:
         panel.set_axis_off()
     with_most_lines = max(axes.flat, key=lambda panel: len(panel.lines))
-    with_most_lines.legend(fontsize=7)
+    with_most_lines.legend(fontsize="x-small")
     save(figure, options, __file__, caption(cases))
 
 

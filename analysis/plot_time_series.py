@@ -46,7 +46,7 @@ def main():
     for panel in axes[1]:
         panel.set_xlabel(r"$t\,U_b/h$")
         panel.set_ylim(bottom=0)
-    axes[0, 1].legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.01, 1))
+    axes[0, 1].legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.01, 1))
     save(figure, options, __file__, caption(cases) + "\nGrey: where the averages of the elastic walls begin. Each point is the mean of a block.\n"
          "Triangles at the bottom: where the transient of a case seems to end.")
 

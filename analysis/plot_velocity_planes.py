@@ -45,7 +45,7 @@ def main():
         for panel, yt in zip(panels, (near_plane(case), FAR)):
             shades = draw_plane(panel, case, moment, yt)
             panel.set_title(f"{case.name}, " + (r"$(\tilde{y}+d)^+=10$, " if panel is panels[0] else "")
-                            + rf"$\tilde{{y}}={yt:.3g}h$, t = {moment.time:.1f}", fontsize=9)
+                            + rf"$\tilde{{y}}={yt:.3g}h$, t = {moment.time:.1f}", fontsize="small")
     figure.colorbar(shades, ax=rows.ravel().tolist(), location="bottom", shrink=0.4, aspect=40, label=r"$u'/U_b$")
     grids = grids_of(case for case, _ in moments)
     save(figure, options, __file__, f"Grid {grids}. The flow goes along x. Lines: $u'^+=\\pm4$ in units of the upper wall.")

@@ -72,9 +72,9 @@ def main():
         draw_surface(panels[0], case, eta, eta - case.interface_y, HEIGHT_RANGE)
         draw_surface(panels[1], case, eta, pressure, pressure_range)
         draw_surface(panels[2], case, eta, eta - case.interface_y, HEIGHT_RANGE, parts=3)
-        panels[0].set_title(f"{case.name}, t = {moment.time:.1f}", fontsize=9, y=0.9)
-        panels[1].set_title("pressure", fontsize=9, y=0.9)
-        panels[2].set_title("a third of the box", fontsize=9, y=0.9)
+        panels[0].set_title(f"{case.name}, t = {moment.time:.1f}", fontsize="small", y=0.9)
+        panels[1].set_title("pressure", fontsize="small", y=0.9)
+        panels[2].set_title("a third of the box", fontsize="small", y=0.9)
     for left, scale, words in ((0.07, HEIGHT_RANGE, r"$\eta-2h$, $h$"), (0.4, pressure_range, r"$p-\bar{p}$, $\rho U_b^2$")):
         shades = cm.ScalarMappable(colors.Normalize(-scale, scale), cm.RdBu_r)
         place = figure.add_axes((left, 0.6 * FOOT / height, 0.2, 0.12 / height))

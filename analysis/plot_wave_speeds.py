@@ -82,7 +82,7 @@ def main():
     for panel, each in zip(panels[0], found):
         shades = draw(panel, *each)
     panels[0, 0].set_ylabel(r"speed $\omega/k_x$, $U_b$")
-    panels[0, -1].legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.01, 1))
+    panels[0, -1].legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.01, 1))
     figure.colorbar(shades, ax=panels.ravel().tolist(), shrink=0.6, label=r"$E(k_x,\omega)$ / its largest at $k_x$")
     save(figure, options, __file__, f"Grid {grids_of(case for case, *_ in found)}. Mean over the span; positive speeds are "
                                     "downstream. Linear theory: the least damped waves on the measured mean flow, with "

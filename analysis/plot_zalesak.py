@@ -62,7 +62,7 @@ def main():
     for panel in panels[0]:
         handles, labels = panel.get_legend_handles_labels()
         unique = dict(zip(labels, handles))
-        panel.legend(unique.values(), unique.keys(), loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2, fontsize=8)
+        panel.legend(unique.values(), unique.keys(), loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2, fontsize="small")
     save(figure, options, __file__,
          "Lines phi = 1/2 at the start and after one turn; area between them over the area of the disc.")
 

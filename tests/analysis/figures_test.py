@@ -155,6 +155,10 @@ class Figures(unittest.TestCase):
                 done = draw(script, self.campaign, "-o", output)
                 self.assert_drawn(done, output)
 
+    def test_letters_are_as_large_as_the_style_says(self):
+        for script in ALL_SCRIPTS:
+            self.assertNotRegex(script.read_text(), r"fontsize=\d", script.name)
+
     def test_the_example_for_ones_own_questions_runs(self):
         output = pathlib.Path(self.scratch.name) / "notebook.png"
         for pandas in (True, False):  # with it, where it is installed, and without it
