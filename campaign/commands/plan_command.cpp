@@ -103,7 +103,10 @@ void print_json(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
       {"until", describe(loaded.campaign.until)},
       {"cores", cores == kUnlimitedCores ? nlohmann::ordered_json() : nlohmann::ordered_json(cores)},
       {"wall_seconds", planned.wall_seconds},
-      {"disk_bytes", planned.ready.disk_bytes},
+      {"disk_bytes", planned.ready.disk.bytes()},
+      {"checkpoint_bytes", planned.ready.disk.checkpoint_bytes},
+      {"snapshot_bytes", planned.ready.disk.snapshot_bytes},
+      {"snapshots", planned.ready.disk.snapshots},
       {"disk_free_bytes", planned.ready.disk_free_bytes},
       {"memory_bytes", planned.ready.memory_bytes},
       {"machine_memory_bytes", planned.ready.machine_memory_bytes},
@@ -147,9 +150,8 @@ void print_text(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
   std::cout << "\n" << printable(loaded.campaign.name) << ": " << counted(std::ssize(planned.cases), "case");
   for (const auto& [outlook, number] : counts) std::cout << ", " << number << " " << outlook;
   std::cout << "; about " << short_number(core_hours) << " core-hours to do.\n"
-            << where_and_how_long(loaded.campaign.execution, planned) << "; disk for checkpoints "
-            << gigabytes(planned.ready.disk_bytes) << ", free " << gigabytes(planned.ready.disk_free_bytes)
-            << ".\n";
+            << where_and_how_long(loaded.campaign.execution, planned) << "; disk for "
+            << words_of(planned.ready.disk) << ", free " << gigabytes(planned.ready.disk_free_bytes) << ".\n";
   if (loaded.campaign.start_from)
     std::cout << "Cases start one from the other, from the " << words_of(*loaded.campaign.start_from)
               << " on: those of a line run one after the other.\n";

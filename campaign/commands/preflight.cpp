@@ -14,10 +14,10 @@
 
 #include "campaign/core/case_mistakes.hpp"
 #include "campaign/core/machine.hpp"
+#include "campaign/observe/disk.hpp"
 #include "campaign/system/find_program.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/file_descriptor.hpp"
-#include "solver/run_directory/checkpoint_size.hpp"
 #include "solver/run_directory/programs.hpp"
 #include "solver/run_directory/run_files.hpp"
 
@@ -42,18 +42,6 @@ fs::path find_solver() {
            "the solver built beside softwall, or named by the environment variable SOFTWALL_DNS");
   }
   return beside;
-}
-
-double disk_bytes(const Campaign& campaign, const std::vector<Observation>& observations) {
-  double needed = 0;
-  for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
-    const Observation& seen = observations[i];
-    if (seen.newest_checkpoint || seen.state == CaseState::kFinished) continue;  // its share is already there
-    // One more than is kept: the oldest goes only when the newest is complete.
-    const Case& one = campaign.cases[i].definition;
-    needed += static_cast<double>(checkpoint_field_bytes(one.physics)) * (one.run.keep_checkpoints + 1);
-  }
-  return needed;
 }
 
 /// Memory of the cases that can be at work side by side: as many of the largest as the cores hold, precursors
@@ -181,13 +169,13 @@ Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>
   add_obstacles_of_cases(campaign, decisions, machine, result);
   add_paths_that_are_too_long(loaded, decisions, result);
   if (solver && result.mistakes.empty()) prepare(launcher, *solver, most_ranks(campaign, decisions), result);
-  result.disk_bytes = disk_bytes(campaign, observations);
+  result.disk = disk_need(campaign, observations);
   result.disk_free_bytes = static_cast<double>(fs::space(loaded.folder).available);
   result.memory_bytes = memory_side_by_side(campaign, decisions);
   result.machine_memory_bytes = machine.memory_bytes;
-  if (result.disk_bytes > result.disk_free_bytes) {
+  if (result.disk.bytes() > result.disk_free_bytes) {
     result.mistakes.push_back({"disk", gigabytes(result.disk_free_bytes) + " free",
-                               "the checkpoints of this campaign take " + gigabytes(result.disk_bytes)});
+                               "this campaign has yet to write " + words_of(result.disk)});
   }
   if (here && result.memory_bytes > result.machine_memory_bytes && result.mistakes.empty()) {
     result.mistakes.push_back(

@@ -7,6 +7,7 @@
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/core/plan.hpp"
 #include "campaign/launch/launcher.hpp"
+#include "campaign/observe/disk.hpp"
 #include "solver/case/bad_input.hpp"
 
 /// What must be right before anything is changed. `plan` shows it, `run` refuses to start by it: the same
@@ -16,7 +17,7 @@ namespace softwall::campaign {
 struct Preflight {
   std::vector<Mistake> mistakes;     ///< what is in the way; empty: nothing
   std::vector<std::string> blocked;  ///< by case: why it cannot be started here; empty: it can
-  double disk_bytes = 0.0;           ///< that the checkpoints still to be written take
+  DiskNeed disk;                     ///< what is yet to be written
   double disk_free_bytes = 0.0;
   double memory_bytes = 0.0;  ///< of the cases at work side by side, at most
   double machine_memory_bytes = 0.0;

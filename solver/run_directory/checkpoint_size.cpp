@@ -18,14 +18,27 @@ StoredFields stored_fields(const Physics& physics) {
                                                                        : StoredFields{8, 3};
 }
 
+/// Velocity and pressure; for a solid its fraction, and its displacement or B.
+int snapshot_fields(const Physics& physics) {
+  if (!physics.solid) return 4;
+  return physics.solid->formulation == SolidFormulation::kReferenceMap ? 8 : 11;
+}
+
+std::int64_t bytes_of_rows(std::int64_t rows, const Physics& physics) {
+  const std::size_t bytes = physics.precision == Precision::kSingle ? sizeof(float) : sizeof(double);
+  return rows * physics.grid.nx * physics.grid.nz * static_cast<std::int64_t>(bytes);
+}
+
 }  // namespace
 
 std::int64_t checkpoint_field_bytes(const Physics& physics) {
   const StoredFields stored = stored_fields(physics);
   const std::int64_t ny = physics.grid.ny();
-  const std::int64_t rows = stored.centers * ny + stored.faces * (ny + 1);
-  const std::size_t bytes = physics.precision == Precision::kSingle ? sizeof(float) : sizeof(double);
-  return rows * physics.grid.nx * physics.grid.nz * static_cast<std::int64_t>(bytes);
+  return bytes_of_rows(stored.centers * ny + stored.faces * (ny + 1), physics);
+}
+
+std::int64_t snapshot_field_bytes(const Physics& physics) {
+  return bytes_of_rows(std::int64_t{snapshot_fields(physics)} * physics.grid.ny(), physics);
 }
 
 }  // namespace softwall

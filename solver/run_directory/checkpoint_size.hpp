@@ -11,4 +11,7 @@ namespace softwall {
 /// grid.
 [[nodiscard]] std::int64_t checkpoint_field_bytes(const Physics& physics);
 
+/// The same of one snapshot (output/README.md), all of whose fields are at cell centers.
+[[nodiscard]] std::int64_t snapshot_field_bytes(const Physics& physics);
+
 }  // namespace softwall

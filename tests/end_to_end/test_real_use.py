@@ -109,9 +109,14 @@ class RealUse(EndToEndTest):
                 self.assertEqual(list(campaign.folder.glob("cases")), [])
 
     def test_plan_says_what_it_would_take(self):
-        plan = self.campaign(RIGID).call("plan")
+        campaign = self.campaign(RIGID)
+        plan = campaign.call("plan")
         self.assertEqual(plan.returncode, 0, plan.stderr)
-        self.assertRegex(plan.stdout, r"On 1 core of this machine: about .*; memory .* of .* GB; disk for checkpoints")
+        self.assertRegex(plan.stdout, r"On 1 core of this machine: about .*; memory .* of .* GB; "
+                                      r"disk for checkpoints \S+ GB and 11 snapshots \S+ GB, free")
+        self.run_to_end(campaign)
+        self.assertEqual(len(list(campaign.folder.glob("cases/*/fields/fields-*.h5"))), 11)
+        self.assertIn("disk for checkpoints 0 GB, free", campaign.call("plan").stdout)
 
     def test_what_a_change_leaves_behind_is_told_and_kept_apart(self):
         campaign = self.campaign(RIGID)

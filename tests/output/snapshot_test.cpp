@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "solver/output/checkpoint_reader.hpp"
+#include "solver/run_directory/checkpoint_size.hpp"
 #include "tests/output/sample_state.hpp"
 #include "tests/output/shared_folder.hpp"
 
@@ -105,6 +106,25 @@ TEST_F(SnapshotTest, StandInOneCollectionWithTheirTimes) {
   }
   EXPECT_EQ(text.find("fields-000000009"), std::string::npos);
   EXPECT_EQ(text.find("phi"), std::string::npos);
+}
+
+/// But for what HDF5 keeps for itself, which is less than a field.
+TEST_F(SnapshotTest, ItsSizeIsKnownFromTheCaseAlone) {
+  std::vector<Physics> all = {support::rigid_channel({24, 16, 0, 24})};
+  for (const auto formulation : support::kBothFormulations)
+    all.push_back(support::formulated(support::elastic_channel({24, 12, 4, 24}), formulation));
+  std::int64_t step = 0;
+  for (Physics& physics : all) {
+    physics.precision = grid::kPrecision;
+    time::Setup setup(physics, world_.get());
+    time::State state = time::state_at_rest(setup);
+    write(state, setup, ++step);
+    const auto file = run_.fields() / ("fields-00000000" + std::to_string(step) + ".h5");
+    const auto more =
+        static_cast<std::int64_t>(std::filesystem::file_size(file)) - snapshot_field_bytes(physics);
+    EXPECT_GT(more, 0);
+    EXPECT_LT(more, std::int64_t{24} * 16 * 24 * sizeof(grid::Real));
+  }
 }
 
 }  // namespace
