@@ -2,8 +2,8 @@
 """Which events the interface and the flow share: joint probability densities of v', p' and the height at the mean interface,
 with their correlation coefficients, from what the solver has summed in the averaging window."""
 
-from campaign_data import arguments, grids_of, plt, read_campaign, save
-from spectra_data import read_spectra
+from campaign_data import arguments, grids_of, plt, save
+from spectra_data import read_interfaces
 
 import numpy as np
 from matplotlib import colors
@@ -62,10 +62,7 @@ def draw(panel, spectra, pair):
 
 def main():
     options = arguments(__doc__)
-    found = [(case, spectra) for case in read_campaign(options) if case.elastic
-             if (spectra := read_spectra(case)) and spectra.interface]
-    if not found:
-        raise SystemExit("no elastic wall has sums of its interface in its averaging window")
+    found = read_interfaces(options)
     figure, panels = plt.subplots(len(PAIRS), len(found), figsize=(2.8 * len(found) + 1.5, 9), layout="constrained",
                                   squeeze=False)
     shades = [draw(panel, spectra, pair) for column, (_, spectra) in zip(panels.T, found)

@@ -2,8 +2,8 @@
 """The height of the interface: its spectra along x and z, and the probability density of its deviation from its mean, from
 what the solver has summed in the averaging window."""
 
-from campaign_data import arguments, grids_of, plt, read_campaign, save
-from spectra_data import read_spectra, show_decades
+from campaign_data import arguments, grids_of, plt, save
+from spectra_data import read_interfaces, show_decades
 
 import numpy as np
 
@@ -53,10 +53,7 @@ def draw_density(panel, found):
 
 def main():
     options = arguments(__doc__)
-    found = [(case, spectra) for case in read_campaign(options) if case.elastic
-             if (spectra := read_spectra(case)) and spectra.interface]
-    if not found:
-        raise SystemExit("no elastic wall has sums of its interface in its averaging window")
+    found = read_interfaces(options)
     figure, panels = plt.subplots(1, 3, figsize=(15, 4.5), layout="constrained")
     draw_spectra(panels[:2], found)
     draw_density(panels[2], found)

@@ -4,7 +4,7 @@ Spectra are [mode][row], [block][mode][row] before they are averaged; mode m alo
 The sum over all modes is the mean square about the mean over the plane. Units: h, U_b, density 1.
 """
 
-from campaign_data import tell
+from campaign_data import read_campaign, tell
 
 import h5py
 import numpy as np
@@ -104,3 +104,12 @@ def read_spectra(case):
         tell(f"left out {case.directory / 'spectra.h5'}: {error}")
         return None
     return spectra if spectra.flow else None
+
+
+def read_interfaces(options):
+    """(case, spectra) of every elastic wall that has sums of its interface; ends the script where none has."""
+    found = [(case, spectra) for case in read_campaign(options) if case.elastic
+             if (spectra := read_spectra(case)) and spectra.interface]
+    if not found:
+        raise SystemExit("no elastic wall has sums of its interface in its averaging window")
+    return found
