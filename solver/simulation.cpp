@@ -47,6 +47,7 @@ Simulation::Simulation(const Case& definition, const RunOptions& options, const 
       statistics_(setup_),
       spectra_(setup_, definition.run.spectra_steps),
       checkpoints_(options.files, definition.id, definition.run.keep_checkpoints),
+      snapshots_(output::collection_of_snapshots(options.files)),
       status_timer_(1.0),
       report_timer_(10.0),
       checkpoint_timer_(definition.run.checkpoint_seconds) {
@@ -102,14 +103,13 @@ ExitCode Simulation::run() {
   Decision next = decide();
   last_step_ = time::choose_time_step(state_, setup_, next.convection_rate);
   write_status();
-  if (state_.step == 0 && case_.run.field_interval > 0)
-    write_snapshot();  // what later shapes are compared with
+  if (state_.step == 0) write_first_moments();
   while (!next.stop() && !has_reached(state_.time, case_.run.end_time)) {
     const double time_before = state_.time;
     step(next.convection_rate);
     next = decide();
     stop_if_diverged(next.convection_rate);
-    snapshot(time_before);
+    write_moments(time_before);
     if (next.report) report();
     if (next.checkpoint) write_results();
   }
@@ -182,16 +182,22 @@ void Simulation::checkpoint() {
   checkpoint_duration_ = output::Timer::seconds_since(begin);
 }
 
-void Simulation::snapshot(double time_before) {
-  const double interval = case_.run.field_interval;
-  if (interval <= 0 || intervals_passed(state_.time, interval) == intervals_passed(time_before, interval))
-    return;
-  write_snapshot();
+/// What later shapes are compared with.
+void Simulation::write_first_moments() {
+  if (case_.run.field_interval > 0) write_snapshot();
+}
+
+/// Those whose interval has passed with the last step.
+void Simulation::write_moments(double time_before) {
+  const auto is_due = [&](double interval) {
+    return interval > 0 && intervals_passed(state_.time, interval) != intervals_passed(time_before, interval);
+  };
+  if (is_due(case_.run.field_interval)) write_snapshot();
 }
 
 void Simulation::write_snapshot() {
   const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
-  output::write_snapshot(options_.files, state_, setup_);
+  output::write_snapshot(options_.files, state_, setup_, snapshots_);
 }
 
 /// The averages so far stand beside every checkpoint, so that a case can be judged before its end.

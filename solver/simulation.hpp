@@ -7,6 +7,7 @@
 #include "solver/case/case.hpp"
 #include "solver/output/checkpoint_contents.hpp"
 #include "solver/output/checkpoints.hpp"
+#include "solver/output/collection.hpp"
 #include "solver/output/pace.hpp"
 #include "solver/output/reports.hpp"
 #include "solver/run_directory/exit_codes.hpp"
@@ -58,7 +59,8 @@ class Simulation {
   void stop_if_diverged(double convection_rate) const;
   [[nodiscard]] bool time_is_up() const;
   void checkpoint();
-  void snapshot(double time_before);
+  void write_first_moments();
+  void write_moments(double time_before);
   void report();
   void write_status();
   void write_results();
@@ -77,6 +79,7 @@ class Simulation {
   statistics::Statistics statistics_;
   statistics::Spectra spectra_;
   output::Checkpoints checkpoints_;
+  output::Collection snapshots_;
   output::RunRecord record_;
   double limited_before_ = 0;  ///< cells this program's limiter had touched when the record was read
   double divergence_ = 0;      ///< largest seen in this attempt, times dx / U_b

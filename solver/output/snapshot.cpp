@@ -1,46 +1,28 @@
 #include "solver/output/snapshot.hpp"
 
-#include <array>
-#include <cstdio>
 #include <string>
 #include <vector>
 
 #include "solver/case/atomic_file.hpp"
 #include "solver/grid/cell_loop.hpp"
 #include "solver/output/agree.hpp"
+#include "solver/output/centers.hpp"
 #include "solver/output/joined_fields.hpp"
 #include "solver/output/parallel_file.hpp"
-#include "solver/output/snapshot_collection.hpp"
+#include "solver/output/snapshot_in_xdmf.hpp"
 #include "solver/output/watchdog.hpp"
 
 namespace softwall::output {
 
 namespace {
 
-std::filesystem::path snapshot_file(const RunFiles& run, std::int64_t step) {
-  std::array<char, 64> name{};
-  std::snprintf(name.data(), name.size(), "fields-%09lld.h5", static_cast<long long>(step));
-  return run.fields() / name.data();
-}
-
-/// Which neighbours of a value lie at the other ends of the cell, in x, y and z: {1, 0, 0} of a low-x face,
-/// {1, 1, 0} of a low-x low-y edge.
-using Place = std::array<int, 3>;
-
 /// Mean of a quantity on faces or edges, whose ghost cells are filled, over those of each cell.
 grid::Field to_centers(const grid::Field& q, const Place& place, const grid::Grid& g) {
   grid::Field center(g, 0);
   const auto from = q.view();
   const auto to = center.view();
-  const int x = place[0], y = place[1], z = place[2];
-  const int ends = (1 + x) * (1 + y) * (1 + z);
-  grid::for_each_cell(grid::all_cells(g), [=](int i, int j, int k) {
-    grid::Real sum = 0;
-    for (int c = 0; c <= z; ++c)
-      for (int b = 0; b <= y; ++b)
-        for (int a = 0; a <= x; ++a) sum += from(i + a, j + b, k + c);
-    to(i, j, k) = sum / static_cast<grid::Real>(ends);
-  });
+  grid::for_each_cell(grid::all_cells(g),
+                      [=](int i, int j, int k) { to(i, j, k) = at_center(from, place, i, j, k); });
   return center;
 }
 
@@ -104,24 +86,13 @@ std::vector<JoinedField> joined_of(const time::State& s) {
   return all;
 }
 
-std::vector<double> faces_in_y(const grid::Grid& g) {
-  std::vector<double> y;
-  for (int j = 0; j <= g.ny; ++j) y.push_back(g.y_face[j]);
-  return y;
-}
-
-std::vector<double> uniform_faces(int n, double spacing) {
-  std::vector<double> x;
-  for (int i = 0; i <= n; ++i) x.push_back(i * spacing);
-  return x;
-}
-
 }  // namespace
 
-void write_snapshot(const RunFiles& run, const time::State& state, time::Setup& setup) {
+void write_snapshot(const RunFiles& run, const time::State& state, time::Setup& setup,
+                    Collection& collection) {
   const auto& all = setup.decomposition.all();
   const auto& g = setup.grid;
-  const auto file = snapshot_file(run, state.step);
+  const auto file = run.fields_of(state.step);
   auto temporary = file;
   temporary += ".tmp";
   const auto sources = sources_of(state);
@@ -130,9 +101,10 @@ void write_snapshot(const RunFiles& run, const time::State& state, time::Setup& 
   agree_on_root(all, ExitCode::kIoFailure, [&] { std::filesystem::create_directories(run.fields()); });
   ParallelFile out(temporary, all, 0);
   out.write_number({"time", "simulated time, h / U_b"}, state.time);
-  out.write_values({"x", "cell faces, h"}, uniform_faces(g.nx_global, g.dx));
-  out.write_values({"y", "cell faces, h"}, faces_in_y(g));
-  out.write_values({"z", "cell faces, h"}, uniform_faces(g.nz_global, g.dz));
+  const CellFaces faces = faces_of(g);
+  out.write_values({"x", "cell faces, h"}, faces.x);
+  out.write_values({"y", "cell faces, h"}, faces.y);
+  out.write_values({"z", "cell faces, h"}, faces.z);
   for (const auto& [label, field, place, of_solid] : sources) {
     if (place == Place{0, 0, 0})
       out.write_field(label, *field, g.ny, g);
@@ -144,8 +116,12 @@ void write_snapshot(const RunFiles& run, const time::State& state, time::Setup& 
   agree_on_root(all, ExitCode::kIoFailure, [&] {
     join_fields(temporary, joined_of(state));
     publish_file(temporary, file);
-    write_snapshot_collection(run.fields());
+    collection.add(file);
   });
+}
+
+Collection collection_of_snapshots(const RunFiles& run) {
+  return {run.fields() / "fields.xdmf", snapshot_in_xdmf};
 }
 
 }  // namespace softwall::output

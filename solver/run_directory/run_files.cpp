@@ -3,13 +3,30 @@
 #include <array>
 #include <cinttypes>
 #include <cstdio>
+#include <string>
 
 namespace softwall {
+namespace {
+
+/// -000001234.h5: names sort as the steps do.
+std::string ending_of(std::int64_t step) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "-%09" PRId64 ".h5", step);
+  return text.data();
+}
+
+}  // namespace
 
 std::filesystem::path RunFiles::checkpoint(std::int64_t step) const {
-  std::array<char, 48> name{};
-  std::snprintf(name.data(), name.size(), "checkpoint-%09" PRId64 ".h5", step);
-  return checkpoints() / name.data();
+  return checkpoints() / ("checkpoint" + ending_of(step));
+}
+
+std::filesystem::path RunFiles::fields_of(std::int64_t step) const {
+  return fields() / ("fields" + ending_of(step));
+}
+
+std::filesystem::path RunFiles::planes_of(std::int64_t step) const {
+  return planes() / ("planes" + ending_of(step));
 }
 
 }  // namespace softwall

@@ -22,9 +22,14 @@ struct RunFiles {
   [[nodiscard]] std::filesystem::path layout() const { return directory / "layout.json"; }
   [[nodiscard]] std::filesystem::path checkpoints() const { return directory / "checkpoints"; }
   [[nodiscard]] std::filesystem::path fields() const { return directory / "fields"; }
+  [[nodiscard]] std::filesystem::path planes() const { return directory / "planes"; }
 
   /// checkpoints/checkpoint-000001234.h5
   [[nodiscard]] std::filesystem::path checkpoint(std::int64_t step) const;
+  /// fields/fields-000001234.h5
+  [[nodiscard]] std::filesystem::path fields_of(std::int64_t step) const;
+  /// planes/planes-000001234.h5
+  [[nodiscard]] std::filesystem::path planes_of(std::int64_t step) const;
 };
 
 }  // namespace softwall

@@ -25,9 +25,9 @@ class SnapshotTest : public testing::Test {
   void write(time::State& state, time::Setup& setup, std::int64_t step) {
     state.step = step;
     state.time = 0.5 * static_cast<double>(step);
-    write_snapshot(run_, state, setup);
+    write_snapshot(run_, state, setup, collection_);
   }
-  [[nodiscard]] std::string collection() const {
+  [[nodiscard]] std::string collection_text() const {
     std::ostringstream text;
     text << std::ifstream(run_.fields() / "fields.xdmf").rdbuf();
     return text.str();
@@ -36,6 +36,7 @@ class SnapshotTest : public testing::Test {
   parallel::Communicator world_ = parallel::Communicator::duplicate(MPI_COMM_WORLD);
   support::SharedFolder folder_{world_};
   RunFiles run_{folder_.path()};
+  Collection collection_ = collection_of_snapshots(run_);
 };
 
 TEST_F(SnapshotTest, HasTheDeformationAtTheCentres) {
@@ -95,7 +96,7 @@ TEST_F(SnapshotTest, StandInOneCollectionWithTheirTimes) {
   for (const std::int64_t step : {20, 0, 7}) write(state, setup, step);
   if (world_.rank() == 0) std::ofstream(run_.fields() / "fields-000000009.h5") << "no snapshot";
   write(state, setup, 30);
-  const std::string text = collection();
+  const std::string text = collection_text();
   std::size_t at = 0;
   for (const char* part : {"CollectionType=\"Temporal\"", "<Time Value=\"0\"/>", "fields-000000000.h5:/x",
                            "Dimensions=\"14 8 12 3\">fields-000000000.h5:/velocity", "<Time Value=\"3.5\"/>",

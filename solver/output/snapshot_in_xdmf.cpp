@@ -1,14 +1,11 @@
-#include "solver/output/snapshot_collection.hpp"
+#include "solver/output/snapshot_in_xdmf.hpp"
 
-#include <algorithm>
 #include <array>
-#include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "solver/case/atomic_file.hpp"
+#include "solver/output/xdmf.hpp"
 #include "solver/run_directory/hdf5_image.hpp"
 
 namespace softwall::output {
@@ -33,7 +30,7 @@ constexpr std::array<Attribute, 5> kAttributes = {{{"velocity", "Vector", 3},
                                                    {"B", "Tensor6", 6}}};
 
 struct Snapshot {
-  std::string file;  ///< name in the folder
+  XdmfSource source;
   double time = 0;
   std::array<hsize_t, 3> faces{};  ///< numbers of x, y and z
   std::size_t bytes = 0;           ///< of one number of a field
@@ -45,7 +42,7 @@ bool has(const Hdf5Id& file, const char* name) { return H5Lexists(file.get(), na
 Snapshot read_snapshot(const std::filesystem::path& path) {
   const Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "it is not an HDF5 file");
   Snapshot found;
-  found.file = path.filename();
+  found.source = {path.filename().string()};
   found.time = analysis::read_dataset(analysis::open_dataset(file.get(), "time").get(), "time", {1}).front();
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string axis(1, "xyz"[i]);
@@ -60,22 +57,6 @@ Snapshot read_snapshot(const std::filesystem::path& path) {
   return found;
 }
 
-std::optional<Snapshot> readable_snapshot(const std::filesystem::path& path) {
-  const analysis::QuietHdf5 quiet;
-  try {
-    return read_snapshot(path);
-  } catch (const std::runtime_error&) {
-    return std::nullopt;
-  }
-}
-
-/// Where the numbers of a dataset stand. extents: slowest first.
-std::string item(const Snapshot& one, const std::string& dataset, const std::string& extents,
-                 std::size_t bytes) {
-  return "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"" + std::to_string(bytes) +
-         "\" Dimensions=\"" + extents + "\">" + one.file + ":/" + dataset + "</DataItem>";
-}
-
 std::string extents(const Snapshot& one, hsize_t less) {
   const auto& [x, y, z] = one.faces;
   return std::to_string(z - less) + " " + std::to_string(y - less) + " " + std::to_string(x - less);
@@ -88,36 +69,19 @@ std::string grid_of(const Snapshot& one) {
       << "\"/>\n<Topology TopologyType=\"3DRectMesh\" Dimensions=\"" << extents(one, 0)
       << "\"/>\n<Geometry GeometryType=\"VXVYVZ\">";
   for (std::size_t i = 0; i < 3; ++i)
-    out << item(one, std::string(1, "xyz"[i]), std::to_string(one.faces[i]), sizeof(double));
+    out << one.source.item(std::string(1, "xyz"[i]), std::to_string(one.faces[i]), sizeof(double));
   out << "</Geometry>\n";
   for (const auto& [name, kind, components] : one.attributes) {
     const std::string more = components > 1 ? " " + std::to_string(components) : "";
-    out << "<Attribute Name=\"" << name << "\" AttributeType=\"" << kind << "\" Center=\"Cell\">"
-        << item(one, name, extents(one, 1) + more, one.bytes) << "</Attribute>\n";
+    out << XdmfSource::attribute(name, kind, "Cell",
+                                 one.source.item(name, extents(one, 1) + more, one.bytes));
   }
   out << "</Grid>\n";
   return out.str();
 }
 
-std::vector<std::filesystem::path> snapshots_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const auto& file = entry.path();
-    if (file.extension() == ".h5" && file.filename().string().starts_with("fields-")) files.push_back(file);
-  }
-  std::ranges::sort(files);  // by step
-  return files;
-}
-
 }  // namespace
 
-void write_snapshot_collection(const std::filesystem::path& folder) {
-  std::string text =
-      "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\"><Domain>\n"
-      "<Grid Name=\"snapshots\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  for (const auto& file : snapshots_in(folder))
-    if (const auto snapshot = readable_snapshot(file)) text += grid_of(*snapshot);
-  write_atomically(folder / "fields.xdmf", text + "</Grid></Domain></Xdmf>\n");
-}
+std::string snapshot_in_xdmf(const std::filesystem::path& file) { return grid_of(read_snapshot(file)); }
 
 }  // namespace softwall::output
