@@ -288,6 +288,14 @@ def read_campaign(options):
     return cases
 
 
+def case_called(name, cases):
+    """The case with this label, or in the folder of this name; the program ends where there is none."""
+    found = [case for case in cases if name in (case.label, case.directory.name)]
+    if not found:
+        sys.exit(f"no case is called {name}; there are: " + ", ".join(case.label for case in cases))
+    return found[0]
+
+
 def read_reference(file):
     """Columns of a reference table in analysis/data by name, with text where it is not a number."""
     lines = [line for line in (REFERENCE / file).read_text().splitlines() if not line.startswith("#")]

@@ -2,9 +2,8 @@
 """Log law at the upper wall and how its origin is chosen (the paper, figure 6). Fits come from results.db."""
 
 import math
-import sys
 
-from campaign_data import arguments, caption, plt, read_campaign, save
+from campaign_data import arguments, caption, case_called, plt, read_campaign, save
 
 import numpy as np
 
@@ -53,10 +52,7 @@ def plot_profiles(axes, cases):
 
 def choose_case(cases, wanted):
     if wanted:
-        found = [case for case in cases if wanted in (case.label, case.directory.name)]
-        if not found:
-            sys.exit(f"no case is called {wanted}; there are: " + ", ".join(case.label for case in cases))
-        return found[0]
+        return case_called(wanted, cases)
     fitted = [case for case in cases if not math.isnan(case.result("d"))] or cases
     return min(fitted, key=lambda case: abs(math.log(case.G / 2)) if case.elastic else math.inf)
 

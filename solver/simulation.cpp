@@ -48,6 +48,7 @@ Simulation::Simulation(const Case& definition, const RunOptions& options, const 
       spectra_(setup_, definition.run.spectra_steps),
       checkpoints_(options.files, definition.id, definition.run.keep_checkpoints),
       snapshots_(output::collection_of_snapshots(options.files)),
+      film_(options.files, definition, setup_),
       status_timer_(1.0),
       report_timer_(10.0),
       checkpoint_timer_(definition.run.checkpoint_seconds) {
@@ -185,6 +186,7 @@ void Simulation::checkpoint() {
 /// What later shapes are compared with.
 void Simulation::write_first_moments() {
   if (case_.run.field_interval > 0) write_snapshot();
+  if (case_.run.plane_interval > 0) write_planes();
 }
 
 /// Those whose interval has passed with the last step.
@@ -193,11 +195,18 @@ void Simulation::write_moments(double time_before) {
     return interval > 0 && intervals_passed(state_.time, interval) != intervals_passed(time_before, interval);
   };
   if (is_due(case_.run.field_interval)) write_snapshot();
+  if (is_due(case_.run.plane_interval)) write_planes();
 }
 
 void Simulation::write_snapshot() {
   const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   output::write_snapshot(options_.files, state_, setup_, snapshots_);
+}
+
+void Simulation::write_planes() {
+  if (film_.none()) return;
+  const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
+  film_.write(state_);
 }
 
 /// The averages so far stand beside every checkpoint, so that a case can be judged before its end.

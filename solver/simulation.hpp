@@ -8,6 +8,7 @@
 #include "solver/output/checkpoint_contents.hpp"
 #include "solver/output/checkpoints.hpp"
 #include "solver/output/collection.hpp"
+#include "solver/output/film.hpp"
 #include "solver/output/pace.hpp"
 #include "solver/output/reports.hpp"
 #include "solver/run_directory/exit_codes.hpp"
@@ -61,6 +62,7 @@ class Simulation {
   void checkpoint();
   void write_first_moments();
   void write_moments(double time_before);
+  void write_planes();
   void report();
   void write_status();
   void write_results();
@@ -80,6 +82,7 @@ class Simulation {
   statistics::Spectra spectra_;
   output::Checkpoints checkpoints_;
   output::Collection snapshots_;
+  output::Film film_;
   output::RunRecord record_;
   double limited_before_ = 0;  ///< cells this program's limiter had touched when the record was read
   double divergence_ = 0;      ///< largest seen in this attempt, times dx / U_b

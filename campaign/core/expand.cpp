@@ -243,6 +243,17 @@ class Expansion {
     return known->second;
   }
 
+  /// What a precursor takes over of `run`: of the planes of a film those that lie in the rigid channel.
+  [[nodiscard]] json run_below_layer() const {
+    constexpr double kRigidHeight = 2;
+    json run = spec_.run;
+    if (!run.contains("planes") || !run.at("planes").contains("y")) return run;
+    auto heights = run.at("planes").at("y").get<std::vector<double>>();
+    std::erase_if(heights, [](double y) { return y > kRigidHeight; });
+    run["planes"]["y"] = heights;
+    return run;
+  }
+
   std::string add_precursor(const Point& fluid) {
     json physics = spec_.physics;
     put(fluid, physics);
@@ -250,7 +261,7 @@ class Expansion {
     physics.erase("solid");
     physics["grid"].erase("ny_solid");
     if (physics.contains("domain")) physics["domain"].erase("layer_height");
-    json run = spec_.run;
+    json run = run_below_layer();
     for (const auto& [key, value] : spec_.precursor.items())
       (key == "run" ? run : physics[key]).merge_patch(value);
     Candidate candidate;

@@ -114,6 +114,11 @@ struct Physics {
   }
 };
 
+/// Where the planes of a film lie, h; each is the plane of cells whose centres are nearest.
+struct PlaneSpec {
+  std::vector<double> x, y, z;
+};
+
 /// How far and how to run it; may change between attempts without changing any number computed.
 struct RunSpec {
   double end_time = 0.0;
@@ -122,6 +127,8 @@ struct RunSpec {
   int keep_checkpoints = 2;
   double field_interval = 0.0;               ///< h/U_b between field snapshots for ParaView; 0: none
   std::int64_t spectra_steps = 0;            ///< steps between samples of spectra; 0: none
+  double plane_interval = 0.0;               ///< h/U_b between moments of a film; 0: none
+  PlaneSpec planes;                          ///< in a film
   std::filesystem::path initial_checkpoint;  ///< precursor's checkpoint file; relative to the run directory
 };
 

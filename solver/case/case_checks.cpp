@@ -224,6 +224,32 @@ void check_initial(const SoundMembers& members, std::vector<Mistake>& mistakes) 
         {"/physics/initial/precursor", "empty", "initial type \"" + *type + "\" needs that case's id"});
 }
 
+/// How far a case reaches from 0 to its far wall or its period, h.
+std::optional<double> extent_of(const SoundMembers& members, const std::string& axis) {
+  if (axis != "y") return members.get<double>("/physics/domain/length_" + axis);
+  const auto height = members.get<double>("/physics/domain/height");
+  const auto flow = members.get<std::string>("/physics/flow");
+  if (!flow || (*flow != "elastic_wall" && *flow != "interface_wave")) return height;
+  const auto layer = members.get<double>("/physics/domain/layer_height");
+  return height && layer ? std::optional<double>(*height + *layer) : std::nullopt;
+}
+
+/// A position that is no number has been found by the schema, which names it but not its list.
+void check_planes(const SoundMembers& members, std::vector<Mistake>& mistakes) {
+  for (const std::string axis : {"x", "y", "z"}) {
+    const std::string where = "/run/planes/" + axis;
+    const auto extent = extent_of(members, axis);
+    const json* positions = members.find(where);
+    if (!extent || !positions) continue;
+    for (std::size_t n = 0; n < positions->size(); ++n) {
+      const json& position = positions->at(n);
+      if (position.is_number() && position.get<double>() > *extent)
+        mistakes.push_back({where + "/" + std::to_string(n), quoted(position),
+                            "beyond the end of the box at " + axis + " = " + quoted(json(*extent)) + " h"});
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Mistake> case_cross_checks(const json& filled, const std::vector<Mistake>& known) {
@@ -237,6 +263,7 @@ std::vector<Mistake> case_cross_checks(const json& filled, const std::vector<Mis
   if (flow == "cavity" || flow == "rotation") check_closed_box(members, filled, mistakes);
   if (flow && flow != "elastic_wall") check_no_accuracy(members, mistakes);
   check_initial(members, mistakes);
+  check_planes(members, mistakes);
   return mistakes;
 }
 

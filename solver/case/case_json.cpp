@@ -126,6 +126,8 @@ Physics physics_from(const json& physics) {
   return result;
 }
 
+PlaneSpec planes_from(const json& planes) { return {planes.at("x"), planes.at("y"), planes.at("z")}; }
+
 RunSpec run_from(const json& run) {
   RunSpec result;
   result.end_time = run.at("end_time");
@@ -134,6 +136,8 @@ RunSpec run_from(const json& run) {
   result.keep_checkpoints = run.at("keep_checkpoints");
   result.field_interval = run.at("field_interval");
   result.spectra_steps = run.at("spectra_steps");
+  result.plane_interval = run.at("plane_interval");
+  result.planes = planes_from(run.at("planes"));
   result.initial_checkpoint = run.at("initial_checkpoint").get<std::string>();
   return result;
 }
@@ -222,6 +226,8 @@ json to_json(const RunSpec& run) {
           {"keep_checkpoints", run.keep_checkpoints},
           {"field_interval", run.field_interval},
           {"spectra_steps", run.spectra_steps},
+          {"plane_interval", run.plane_interval},
+          {"planes", {{"x", run.planes.x}, {"y", run.planes.y}, {"z", run.planes.z}}},
           {"initial_checkpoint", run.initial_checkpoint.string()}};
 }
 

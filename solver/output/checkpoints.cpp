@@ -14,7 +14,9 @@ bool is_leftover(const std::string& name) {
   const bool of_open_mpi = name.ends_with(".lock") && name.find(".tmp-") != std::string::npos;
   if (name.ends_with(".tmp") || of_open_mpi)
     return name.starts_with("checkpoint-") || name.starts_with("fields-");
-  return name.starts_with(".status.json.tmp-") || name.starts_with(".summary.json.tmp-") ||
+  if (name.starts_with(".planes-")) return name.find(".h5.tmp-") != std::string::npos;
+  return name.starts_with(".planes.xdmf.tmp-") || name.starts_with(".fields.xdmf.tmp-") ||
+         name.starts_with(".status.json.tmp-") || name.starts_with(".summary.json.tmp-") ||
          name.starts_with(".statistics.h5.tmp-") || name.starts_with(".spectra.h5.tmp-");
 }
 
@@ -25,7 +27,7 @@ Checkpoints::Checkpoints(RunFiles run, std::string case_id, int keep)
 
 void Checkpoints::sweep(const parallel::Communicator& all) const {
   agree_on_root(all, ExitCode::kIoFailure, [&] {
-    for (const auto& folder : {run_.checkpoints(), run_.fields(), run_.directory}) {
+    for (const auto& folder : {run_.checkpoints(), run_.fields(), run_.planes(), run_.directory}) {
       if (!fs::is_directory(folder)) continue;
       for (const auto& entry : fs::directory_iterator(folder)) {
         if (is_leftover(entry.path().filename().string())) fs::remove(entry.path());

@@ -31,6 +31,7 @@ ALL_SCRIPTS = sorted((ROOT / "analysis").glob("plot_*.py"))
 WAVES = ROOT / "analysis" / "plot_interface_waves.py"  # draws a campaign of its own
 GROWTH = ROOT / "analysis" / "plot_growth_rates.py"
 CORRELATIONS = ROOT / "analysis" / "plot_correlations.py"  # drawn along both directions
+PLANES = ROOT / "analysis" / "plot_planes.py"
 SPEEDS = ROOT / "analysis" / "plot_wave_speeds.py"  # linear theory takes its time: drawn of one case
 SCRIPTS = [script for script in ALL_SCRIPTS
            if "from box_data import" not in script.read_text() and script not in (WAVES, GROWTH, CORRELATIONS, SPEEDS)]
@@ -190,16 +191,52 @@ class Figures(unittest.TestCase):
                 output = pathlib.Path(folder) / "correlations.png"
                 self.assert_drawn(draw(script, folder, "-o", output), output)
 
+    def test_a_film_has_a_picture_of_every_moment(self):
+        """Those of one case and from one time on; numbered files and one animated picture have the same."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            film = (PLANES, self.campaign, "--film", "--case", "G=1_mu=1", "--quantity", "w")
+            done = draw(*film, "-o", folder / "film")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            pictures = sorted((folder / "film").iterdir())
+            self.assertEqual([picture.name for picture in pictures], ["00000.png", "00001.png", "00002.png"])
+            self.assertEqual(len({picture.read_bytes() for picture in pictures}), 3, "nothing moves")
+            done = draw(*film, "--from", "130", "-o", folder / "film.gif")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            from PIL import Image
+
+            with Image.open(folder / "film.gif") as picture:
+                self.assertEqual((picture.format, picture.n_frames), ("GIF", 2))
+
+    def test_planes_are_those_of_the_time_asked_for(self):
+        import film_data
+        import numpy as np
+
+        case = mock.Mock(directory=self.campaign / "cases" / "G=1_mu=1")
+        film = film_data.moments_of(case)
+        self.assertEqual([moment.time for moment in film], [0.0, 130.0, 148.0])
+        self.assertEqual([moment.time for moment in film_data.moments_of(case, start=130)], [130.0, 148.0])
+        self.assertEqual([film_data.nearest_in_time(film, time).time for time in (None, 100, -1)], [148.0, 130.0, 0.0])
+        last = film[-1]
+        np.testing.assert_allclose(last.plane("interface", "height")[3], np.roll(moments.eta(), 2), atol=1e-6)
+        self.assertEqual([last.plane(name, "u").shape for name in ("x_0", "y_0", "z_0")],
+                         [tuple(len(faces) - 1 for faces in reversed(last.corners(name))) for name in ("x_0", "y_0", "z_0")])
+        self.assertIsNone(last.plane("x_0", "height"))
+        self.assertAlmostEqual(last.places["z_0"], 4.5 / moments.NZ * moments.LENGTH_Z)
+
     def test_flow_without_moments_is_explained(self):
         with tempfile.TemporaryDirectory() as folder:
             make_campaign(folder)
-            for kind in ("fields/*", "checkpoints/*", "spectra.h5"):
+            for kind in ("fields/*", "checkpoints/*", "planes/*", "spectra.h5"):
                 for file in pathlib.Path(folder).glob(f"cases/*/{kind}"):
                     file.unlink()
             for name in ("correlations", "velocity_planes", "wall_surface"):
                 done = draw(ROOT / "analysis" / f"plot_{name}.py", folder)
                 self.assertEqual(done.returncode, 1)
                 self.assertRegex(done.stderr, "^no .* has (spectra, )?a snapshot or a checkpoint\n$")
+            done = draw(PLANES, folder)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, "^no case has a film; run.plane_interval .*\n$")
             for name in ("spectra", "energy_budget", "interface_shape", "interface_pairs", "wave_speeds"):
                 done = draw(ROOT / "analysis" / f"plot_{name}.py", folder)
                 self.assertEqual(done.returncode, 1)

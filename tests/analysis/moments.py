@@ -8,6 +8,7 @@ import numpy as np
 LENGTH_X, LENGTH_Z = 6.0, 3.0  # h, the paper's box
 NX, NZ = 24, 12
 AMPLITUDE, WAVES = 0.05, 2
+FILMED = "precursor", "G=1_mu=1"  # cases that have a film
 
 
 def eta(n=NX):
@@ -47,6 +48,29 @@ def write_snapshot(file, y_face, time, elastic):
         data["p"] = velocity("v", *centres)
         if elastic:
             data["phi"] = _phi(y_face)
+
+
+def write_planes(folder, y_face, times, elastic):
+    """A film of `velocity` across each axis, and of `eta`, which travels along x by one cell from moment to moment."""
+    import h5py
+
+    faces = {"x": np.linspace(0, LENGTH_X, NX + 1), "y": y_face, "z": np.linspace(0, LENGTH_Z, NZ + 1)}
+    centres = _points((y_face[1:] + y_face[:-1]) / 2)
+    for number, time in enumerate(times):
+        with h5py.File(folder / f"planes-{10 * number:09d}.h5", "w", userblock_size=512) as data:
+            data["moment/time"], data["moment/step"] = [time], [10.0 * number]
+            for axis, values in faces.items():
+                data[f"grid/{axis}_face"], data[f"grid/{axis}_center"] = values, (values[1:] + values[:-1]) / 2
+            for axis, along in (("x", 2), ("y", 1), ("z", 0)):
+                data[f"{axis}_0/position"] = [(faces[axis][4] + faces[axis][5]) / 2]
+                for name in ("u", "v", "w", "p"):
+                    values = velocity("v" if name == "p" else name, *centres)
+                    data[f"{axis}_0/{name}"] = np.roll(values, number, axis=2).take(4, axis=along).astype("f4")
+                if elastic:
+                    data[f"{axis}_0/phi"] = np.roll(_phi(y_face), number, axis=2).take(4, axis=along).astype("f4")
+            if elastic:
+                data["interface/position"] = [2.0]
+                data["interface/height"] = np.broadcast_to(np.roll(eta(), number), (NZ, NX)).astype("f4")
 
 
 def write_checkpoint(file, y_face, time, solid):
@@ -154,7 +178,7 @@ def write_spectra(file, y_face, blocks, elastic):
 
 
 def write_moments(campaign):
-    """A snapshot, a later checkpoint and spectra for every case of a campaign with statistics."""
+    """A snapshot, a later checkpoint and spectra for every case of a campaign with statistics, and two films."""
     import h5py
 
     for directory in (pathlib.Path(campaign) / "cases").iterdir():
@@ -163,7 +187,9 @@ def write_moments(campaign):
             y_face = statistics["grid/y_face"][:]
             blocks = [*statistics["blocks/start"][:], statistics["blocks/end"][-1]]
         write_spectra(directory / "spectra.h5", y_face, blocks[::4], elastic)
-        for folder in ("fields", "checkpoints"):
+        for folder in ("fields", "checkpoints", "planes"):
             (directory / folder).mkdir(exist_ok=True)
+        if directory.name in FILMED:
+            write_planes(directory / "planes", y_face, (0.0, 130.0, 148.0), elastic)
         write_snapshot(directory / "fields" / "fields-000000010.h5", y_face, 120.0, elastic)
         write_checkpoint(directory / "checkpoints" / "checkpoint-000000020.h5", y_face, 148.0, "d_y" if elastic else None)

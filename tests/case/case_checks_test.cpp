@@ -55,6 +55,38 @@ TEST(CaseChecks, StepsOfAnElasticWallAloneAreHeldToViscousTimes) {
   expect_complaint(document, "/physics/solid/dt_plus: given; limits the steps of flow \"elastic_wall\" only");
 }
 
+TEST(CaseChecks, PlanesLieInTheBox) {
+  for (const auto& [flow, axis, inside, beyond] :
+       {std::tuple("rigid", "x", 6.0, 6.01), std::tuple("rigid", "y", 2.0, 2.01),
+        std::tuple("rigid", "z", 3.0, 3.01), std::tuple("elastic", "y", 2.5, 2.51)}) {
+    json document = flow == std::string("rigid") ? tests::rigid_document() : tests::elastic_document();
+    document["run"]["planes"][axis] = {0, inside};
+    EXPECT_EQ(complaint_about(document), "");
+    document["run"]["planes"][axis] = {0, inside, beyond};
+    expect_complaint(document, std::string("/run/planes/") + axis + "/2: " + json(beyond).dump() +
+                                   "; beyond the end of the box at " + axis + " = ");
+  }
+  json box = tests::box_document();
+  box["run"]["planes"] = {{"y", {1.6}}};
+  expect_complaint(box, "/run/planes/y/0: 1.6; beyond the end of the box at y = 1.5 h");
+}
+
+TEST(CaseChecks, PlanesAreListsOfNumbers) {
+  json document = tests::rigid_document();
+  const auto complaint_of = [&](const json& planes) {
+    document["run"]["planes"] = planes;
+    return complaint_about(document);
+  };
+  for (const json& none : {json::object(), json({{"x", json::array()}})}) EXPECT_EQ(complaint_of(none), "");
+  EXPECT_NE(complaint_of({{"x", 1}}).find("/run/planes/x: 1; must be an array"), std::string::npos);
+  EXPECT_NE(complaint_of({{"z", {1, "2"}}}).find("/run/planes/z/1: \"2\""), std::string::npos);
+  EXPECT_NE(complaint_of({{"y", {-0.1}}}).find("/run/planes/y/0: -0.1; must be a number from 0"),
+            std::string::npos);
+  EXPECT_NE(complaint_of({{"r", {1}}}).find("/run/planes/r: unknown key"), std::string::npos);
+  EXPECT_NE(complaint_of({{"x", std::vector<double>(101, 1.0)}}).find("at most 100 members"),
+            std::string::npos);
+}
+
 TEST(CaseChecks, ARigidChannelHasNone) {
   json document = tests::rigid_document();
   document["physics"]["solid"] = {{"G", 1}};

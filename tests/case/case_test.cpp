@@ -50,6 +50,10 @@ TEST(Case, EveryMemberArrives) {
   EXPECT_EQ(c.run.checkpoint_seconds, 30.0);
   EXPECT_EQ(c.run.keep_checkpoints, 3);
   EXPECT_EQ(c.run.field_interval, 0.5);
+  EXPECT_EQ(c.run.plane_interval, 0.05);
+  EXPECT_EQ(c.run.planes.x, (std::vector<double>{0, 7}));
+  EXPECT_EQ(c.run.planes.y, (std::vector<double>{1, 2.75}));
+  EXPECT_EQ(c.run.planes.z, (std::vector<double>{0.5}));
   EXPECT_EQ(c.run.initial_checkpoint, "../p/checkpoints/checkpoint-000000100.h5");
   EXPECT_EQ(c.id.size(), 16U);
 }

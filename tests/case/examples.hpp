@@ -43,7 +43,8 @@ inline nlohmann::json full_document() {
                   "precursor_time": 12.5},
       "statistics": {"start_time": 2, "interval_steps": 3, "block_length": 0.25}},
     "run": {"end_time": 11, "checkpoint_steps": 100, "checkpoint_seconds": 30, "keep_checkpoints": 3,
-            "field_interval": 0.5, "spectra_steps": 30, "initial_checkpoint": "../p/checkpoints/checkpoint-000000100.h5"}})");
+            "field_interval": 0.5, "spectra_steps": 30, "plane_interval": 0.05,
+            "planes": {"x": [0, 7], "y": [1, 2.75], "z": [0.5]}, "initial_checkpoint": "../p/checkpoints/checkpoint-000000100.h5"}})");
 }
 
 /// What a channel cannot have: every member that only a closed box gives meaning to, none with its default.

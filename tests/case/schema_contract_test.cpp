@@ -32,7 +32,11 @@ std::set<std::string> schema_leaves() {
 std::set<std::string> leaves_of(const json& document) {
   std::set<std::string> leaves;
   const json flat = document.flatten();
-  for (const auto& [pointer, unused] : flat.items()) leaves.insert(pointer);
+  for (const auto& [name, unused] : flat.items()) {
+    Pointer pointer(name);
+    while (document.at(pointer.parent_pointer()).is_array()) pointer.pop_back();  // a list is one member
+    leaves.insert(pointer.to_string());
+  }
   return leaves;
 }
 
@@ -114,6 +118,8 @@ void expect_judged_alone(const json& node, const std::string& at) {
                                        "default",
                                        "minimum",
                                        "maximum",
+                                       "items",
+                                       "maxItems",
                                        "pattern",
                                        "properties",
                                        "required",

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -67,6 +68,12 @@ json wave_case(int steps) {
 json driven_wave_case(int steps) {
   json c = wave_case(steps);
   c["physics"]["wave"]["mean_flow"] = "laminar";
+  return c;
+}
+
+json filmed(json c, double interval) {
+  c["run"]["plane_interval"] = interval;
+  c["run"]["planes"] = {{"x", {1.5}}, {"y", {0, 1}}, {"z", {0.5}}};
   return c;
 }
 
@@ -155,6 +162,24 @@ void damage(const fs::path& file) {
   const char byte = static_cast<char>(stream.get() ^ 1);
   stream.seekp(middle);
   stream.put(byte);
+}
+
+namespace {
+
+std::set<std::string> names_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+  return names;
+}
+
+}  // namespace
+
+void expect_same_film(const SolverRun& a, const SolverRun& b, std::size_t moments) {
+  const auto names = names_in(a.files().planes());
+  EXPECT_EQ(names.size(), moments + 1) << "and their collection";
+  EXPECT_EQ(names, names_in(b.files().planes()));
+  for (const std::string& name : names)
+    EXPECT_TRUE(contents(a.files().planes() / name) == contents(b.files().planes() / name)) << name;
 }
 
 void expect_same_results(const SolverRun& a, const SolverRun& b) {

@@ -57,6 +57,9 @@ class SolverRun {
 /// The same over laminar flow.
 [[nodiscard]] nlohmann::json driven_wave_case(int steps);
 
+/// The same case with planes of its flow every so many h / U_b.
+[[nodiscard]] nlohmann::json filmed(nlohmann::json definition, double interval);
+
 [[nodiscard]] std::string contents(const std::filesystem::path& file);
 
 /// All bytes behind a checkpoint's header: state, statistics and diagnostics.
@@ -67,5 +70,8 @@ void damage(const std::filesystem::path& file);
 
 /// Final checkpoint and statistics of two runs are the same, bit for bit.
 void expect_same_results(const SolverRun& a, const SolverRun& b);
+
+/// So are all files of their films, which have so many moments.
+void expect_same_film(const SolverRun& a, const SolverRun& b, std::size_t moments);
 
 }  // namespace softwall::support

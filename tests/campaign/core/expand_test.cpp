@@ -49,6 +49,27 @@ TEST(Expand, PrecursorFirstThenEveryPoint) {
   EXPECT_EQ(campaign.cases[3].definition.physics.solid->viscosity_ratio, 0.1);
 }
 
+/// Planes in the layer are none of its channel's.
+TEST(Expand, APrecursorFilmsTheSamePlanesOfItsChannel) {
+  json document = elastic_campaign();
+  document["run"]["plane_interval"] = 0.5;
+  document["run"]["planes"] = {{"x", {3}}, {"y", {1, 2, 2.25}}};
+  const auto films = [](const Campaign& campaign) {
+    return std::pair(campaign.cases.front().definition.run, campaign.cases.back().definition.run);
+  };
+  const auto [precursor, wall] = films(campaign_of(document));
+  EXPECT_EQ(precursor.plane_interval, 0.5);
+  EXPECT_EQ(precursor.planes.x, std::vector<double>{3});
+  EXPECT_EQ(precursor.planes.y, (std::vector<double>{1, 2}));
+  EXPECT_EQ(wall.planes.y, (std::vector<double>{1, 2, 2.25}));
+  document["precursor"]["run"]["planes"] = {{"y", {0.1}}};
+  EXPECT_EQ(films(campaign_of(document)).first.planes.y, std::vector<double>{0.1});
+  document["precursor"]["run"]["planes"]["y"] = {2.25};
+  EXPECT_NE(complaint_about(document).find("/run/planes/y/0: 2.25; beyond the end of the box"),
+            std::string::npos)
+      << complaint_about(document);
+}
+
 TEST(Expand, IdsAreThoseOfTheWrittenCases) {
   std::set<std::string> ids, directories;
   for (const auto& c : campaign_of(elastic_campaign()).cases) {
