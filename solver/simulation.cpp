@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 #include "solver/case/time_comparison.hpp"
 #include "solver/fluid/stability.hpp"
@@ -23,6 +24,7 @@
 #include "solver/pressure/projection.hpp"
 #include "solver/run_directory/build_info.hpp"
 #include "solver/run_directory/statistics_file.hpp"
+#include "solver/statistics/interface_height.hpp"
 #include "solver/statistics/solid_health.hpp"
 #include "solver/stop_request.hpp"
 #include "solver/time/closed_box/closed_box.hpp"
@@ -206,7 +208,8 @@ void Simulation::write_snapshot() {
 void Simulation::write_planes() {
   if (film_.none()) return;
   const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
-  film_.write(state_);
+  film_.write(state_, film_.has_layer() ? statistics::heights_of_solid(state_.material.phi, setup_.grid)
+                                        : std::vector<double>());
 }
 
 /// The averages so far stand beside every checkpoint, so that a case can be judged before its end.

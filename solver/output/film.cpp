@@ -7,7 +7,6 @@
 #include "solver/output/centers.hpp"
 #include "solver/output/film_in_xdmf.hpp"
 #include "solver/output/watchdog.hpp"
-#include "solver/statistics/interface_height.hpp"
 
 namespace softwall::output {
 namespace {
@@ -93,9 +92,8 @@ void Film::add_plane(const Named& one, const time::State& s, std::vector<NamedAr
   if (s.elastic) add("phi", s.material.phi, {0, 0, 0}, "1", "solid fraction");
 }
 
-void Film::add_interface(const time::State& s, std::vector<NamedArray>& arrays) const {
+void Film::add_interface(const std::vector<double>& heights, std::vector<NamedArray>& arrays) const {
   const grid::Grid& g = setup_.grid;
-  const auto heights = statistics::heights_of_solid(s.material.phi, g);
   const CellPlane columns{1, 0, g.y_face[g.ny_fluid]};
   const auto values = gather_plane({1, 0, 0}, g, setup_.decomposition.all(), [&](int i, int, int k) {
     return static_cast<float>(heights[static_cast<std::size_t>(i + g.nx * k)]);
@@ -106,11 +104,11 @@ void Film::add_interface(const time::State& s, std::vector<NamedArray>& arrays) 
                              "of the interface over each column, from the volume of its solid"));
 }
 
-void Film::write(const time::State& state) {
+void Film::write(const time::State& state, const std::vector<double>& heights) {
   const auto& all = setup_.decomposition.all();
   std::vector<NamedArray> arrays = moment_and_grid(state, setup_.grid);
   for (const Named& one : planes_) add_plane(one, state, arrays);
-  if (has_layer_) add_interface(state, arrays);
+  if (has_layer_) add_interface(heights, arrays);
   std::int64_t bytes = 0;
   for (const NamedArray& array : arrays) bytes += static_cast<std::int64_t>(array.values.size() * 8);
   const Watchdog watchdog(Watchdog::seconds_for(bytes));

@@ -21,11 +21,15 @@ class Film {
   /// Whether there is nothing to write: no plane is asked for, and no layer has an interface.
   [[nodiscard]] bool none() const { return planes_.empty() && !has_layer_; }
 
+  /// Whether a layer's interface is in it.
+  [[nodiscard]] bool has_layer() const { return has_layer_; }
+
   /// Writes planes/planes-<step>.h5, the same bytes on any number of ranks for the same state: of each plane
   /// u, v, w, p and, with a solid, phi at the cell centres in single precision, and with a layer the height
   /// of its interface; and takes it up in planes/planes.xdmf. A file that already exists is replaced.
-  /// Collective. Throws AgreedError (75) where it cannot be written.
-  void write(const time::State& state);
+  /// heights: of the interface over this rank's columns, i + nx k, h (statistics/interface_height.hpp); not
+  /// looked at without a layer. Collective. Throws AgreedError (75) where it cannot be written.
+  void write(const time::State& state, const std::vector<double>& heights);
 
  private:
   struct Named {
@@ -34,7 +38,7 @@ class Film {
   };
 
   void add_plane(const Named& one, const time::State& state, std::vector<analysis::NamedArray>& arrays) const;
-  void add_interface(const time::State& state, std::vector<analysis::NamedArray>& arrays) const;
+  void add_interface(const std::vector<double>& heights, std::vector<analysis::NamedArray>& arrays) const;
 
   RunFiles run_;
   std::string case_id_;
