@@ -60,7 +60,10 @@ def bounds_of(node):
     return ", ".join(words)
 
 
-def default_of(node, needed):
+def default_of(node, needed, place):
+    """`place`: the group of the key. A precursor takes what it is not given from its cases."""
+    if place.startswith("precursor.") and not needed:
+        return "its cases'"
     if "default" in node and "properties" not in node:
         return f"`{json.dumps(node['default'])}`"
     return "needed" if needed else ""
@@ -75,7 +78,7 @@ def rows(node, home, place, documents):
         is_group = "properties" in child
         if not is_group or "description" in child:
             unit = child.get("unit", "")
-            yield here, type_of(child), unit, bounds_of(child), default_of(child, needed), child.get("description", "")
+            yield here, type_of(child), unit, bounds_of(child), default_of(child, needed, place), child.get("description", "")
         if is_group:
             yield from rows(child, file, here, documents)
 
