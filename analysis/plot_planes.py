@@ -81,8 +81,8 @@ class Picture:
             moment = moment_of(moments)
             for name, panel in zip(self.names, column):
                 draw_plane(panel, moment, name, self.quantity, self.shades[name])
-                panel.set_title(title_of(name, moment), fontsize=9)
-            column[0].set_title(f"{case.name}, t = {moment.time:.2f}\n{column[0].get_title()}", fontsize=9)
+                panel.set_title(title_of(name, moment), fontsize="small")
+            column[0].set_title(f"{case.name}, t = {moment.time:.2f}\n{column[0].get_title()}", fontsize="small")
         for name, row in zip(self.names, panels):
             label = r"$(\eta-\eta_0)/h$" if name == "interface" else LABELS[self.quantity]
             figure.colorbar(self.shades[name], ax=list(row), label=label, shrink=0.8)
