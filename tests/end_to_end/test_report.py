@@ -48,7 +48,7 @@ class Reports(EndToEndTest):
         for file in map(Path, drawn.stdout.split()):
             self.assertEqual(file.read_bytes()[:5], b"%PDF-", file)
         self.assertRegex(drawn.stderr, r"\Anot drawn, wave_speeds: [^\n]*\n\Z")  # they want a longer run
-        self.assertEqual(len(drawn.stdout.split()), 16)
+        self.assertEqual(len(drawn.stdout.split()), 17)
         (row,) = campaign.query("SELECT re_tau_w FROM results WHERE label = 'G=2_mu=1'")
         labels = campaign.states()
         study = (campaign.folder / "campaign.json").rename(campaign.folder / "study.json")  # the file's own name is free
