@@ -15,6 +15,8 @@ class Budget:
         self.y, faces = spectra.y["center"], spectra.y["face"]
         self.dy = np.diff(faces)
         self._mean = {name: spectra.budget.mean(name) for name in spectra.budget.names()}
+        for name in ("rate_u", "rate_kinetic"):  # unknown to earlier versions of the solver
+            self._mean.setdefault(name, np.zeros_like(self.y))
         self._gap = np.concatenate([[faces[1]], np.diff(self.y), [self.dy[-1]]])  # between centres, across each face
         u = np.concatenate([[-self._mean["u"][0]], self._mean["u"], [-self._mean["u"][-1]]])  # mirrored at the walls
         self.reynolds = reynolds
@@ -39,10 +41,7 @@ class Budget:
         return self._mean[f"power_{force}"] - self._mean["u"] * self._mean[f"force_{force}"]
 
     def rate(self):
-        """Of change of the turbulent kinetic energy, from the first sample to the last: not small where a window is short. 0 of a
-        file that an earlier version has written, which does not know it."""
-        if "rate_kinetic" not in self._mean:
-            return np.zeros_like(self.y)
+        """Of change of the turbulent kinetic energy, from the first sample to the last: not small where a window is short."""
         return self._mean["rate_kinetic"] - self._mean["u"] * self._mean["rate_u"]
 
     def mean_work(self, force):
@@ -81,5 +80,5 @@ class Budget:
         on the wall and kinetic energy, all of the whole flow, and what is left."""
         driving = self.total(self._mean["power_driving"])
         spent = {name: self.total(self._mean[f"work_{name}"]) for name in ("viscous", "excess", "elastic")}
-        spent["gained speed"] = self.total(self._mean.get("rate_kinetic", np.zeros_like(self.y)))
+        spent["gained speed"] = self.total(self._mean["rate_kinetic"])
         return driving, spent, driving - sum(spent.values())

@@ -87,13 +87,6 @@ struct PowerOf {
     for (int i = 0; i < g.nx; ++i) on_face += double(v(i, j, k)) * y[i];
     sums.add_on_face(power, j, factor * on_face);
   }
-
-  void add(const grid::VectorField& f, int j0, int j1) const {
-    const auto x = f.x.view(), y = f.y.view(), z = f.z.view();
-    for (int k = 0; k < g.nz; ++k) {
-      for (int j = j0; j < j1; ++j) add(j, k, {&x(0, j, k), &y(0, j, k), &z(0, j, k)});
-    }
-  }
 };
 
 void add_motion(const time::State& s, const fluid::MomentumInput& m, const Grid& g, BudgetSums& sums) {
@@ -127,12 +120,6 @@ class AllForces {
     add_row(sum_.x, j, k, f.x, factor);
     if (j > 0) add_row(sum_.y, j, k, f.y, factor);
     add_row(sum_.z, j, k, f.z, factor);
-  }
-  void add(const grid::VectorField& f, int j0, int j1, Real factor) {
-    const auto x = f.x.view(), y = f.y.view(), z = f.z.view();
-    for (int k = 0; k < grid_.nz; ++k) {
-      for (int j = j0; j < j1; ++j) add(j, k, {&x(0, j, k), &y(0, j, k), &z(0, j, k)}, factor);
-    }
   }
   grid::VectorField& sum() { return sum_; }
 
@@ -206,8 +193,15 @@ void add_solid(const time::State& s, time::Setup& setup, AllForces& forces, Budg
   const auto action = setup.solid->action(s.material, s.velocity);
   const auto add = [&](const grid::VectorField* force, std::size_t term, int end_row, double factor) {
     if (!force) return;
-    PowerOf{s.velocity, g, sums, kForces + term, kPowers + term, factor}.add(*force, first, end_row);
-    forces.add(*force, first, end_row, Real(factor));
+    const PowerOf power{s.velocity, g, sums, kForces + term, kPowers + term, factor};
+    const auto x = force->x.view(), y = force->y.view(), z = force->z.view();
+    for (int k = 0; k < g.nz; ++k) {
+      for (int j = first; j < end_row; ++j) {
+        const MomentumRow row{&x(0, j, k), &y(0, j, k), &z(0, j, k)};
+        power.add(j, k, row);
+        forces.add(j, k, row, Real(factor));
+      }
+    }
   };
   add(action.elastic, kElasticity, g.ny, 1);
   add(action.excess, kExcess, action.excess_end_row, setup.viscosity);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -53,10 +54,12 @@ std::vector<double> pair_bin_edges(std::string_view quantity, const grid::Grid& 
 std::vector<double> interface_pair_sample(std::span<const InterfaceColumn> columns,
                                           const time::Setup& setup) {
   const auto& g = setup.grid;
+  std::map<std::string_view, std::vector<std::size_t>> bins;
+  for (const auto quantity : kBinnedQuantities) bins[quantity] = bins_of(columns, quantity, g);
   std::vector<double> sample(kPairValues);
   auto* histogram = sample.data();
   for (const InterfacePair& pair : kInterfacePairs) {
-    const auto first = bins_of(columns, pair.first, g), second = bins_of(columns, pair.second, g);
+    const auto &first = bins.at(pair.first), &second = bins.at(pair.second);
     for (std::size_t n = 0; n < columns.size(); ++n) histogram[first[n] * kPairBins + second[n]] += 1;
     histogram += kPairBins * kPairBins;
   }
