@@ -18,6 +18,9 @@ struct MeasuredValue {
 /// A case of the present sweep as the table of results shows it.
 struct MeasuredCase {
   std::string case_id, label, flow, state, stale_reason, note, grid;
+  std::string varied_but_for_the_grid;  ///< "G=0.5 viscosity_ratio=1": what the sweep gave it but the grid
+  std::string but_for_the_grid;         ///< all physical parameters but the grid's, JSON
+  std::int64_t cells = 0;
   std::optional<double> g, viscosity_ratio;  ///< empty: rigid walls
   double reynolds = 0.0;
   double layer_height = 0.0;                       ///< [h]; 0: rigid walls

@@ -12,15 +12,16 @@
 #include "campaign/core/words.hpp"
 #include "campaign/store/text_width.hpp"
 #include "campaign/tables/comparison.hpp"
+#include "campaign/tables/grid_convergence.hpp"
+#include "campaign/tables/page.hpp"
 #include "campaign/tables/reading_fit.hpp"
 
-/// The page: a preface, then for each reading of G both tables, then how each case was measured.
+/// The page: a preface, then for each reading of G both tables, then what the grid changes and how each case
+/// was measured.
 namespace softwall::campaign {
 
 namespace {
 
-constexpr std::size_t kPageWidth = 116;
-constexpr std::size_t kFirstColumnWidth = 28;
 /// Line breaks are made anew when it is written. The constant of the log law follows.
 constexpr std::string_view kPreface = R"(
 beside tables 1 and 2 of M. E. Rosti and L. Brandt, Numerical simulation of turbulent channel flow over a viscous
@@ -36,8 +37,6 @@ std::string short_number(std::optional<double> value) {
   std::snprintf(buffer.data(), buffer.size(), "%g", *value);
   return buffer.data();
 }
-
-using Row = std::vector<std::string>;
 
 /// "G3         G=1     mu=10", in the manner of the labels.
 std::string paper_name(const PaperCase& paper, const Reading& reading) {
@@ -101,7 +100,7 @@ void write_fits(std::ostream& out, const std::vector<MeasuredCase>& cases) {
   out << "\nHOW WELL EACH READING FITS\n"
       << wrapped(
              "rms of (measured - printed) over the range of the paper's seven cases, of Re_tau^w, Re_tau, "
-             "u_M, y_M, delta and delta' of elastic walls",
+             "u_M, y_M, delta and delta' of elastic walls, each on its finest grid",
              kPageWidth)
       << "\n";
   for (const ReadingFit& fit : fits) {
@@ -152,6 +151,7 @@ void write_paper_tables(std::ostream& out, Connection& store) {
     for (const Reading& reading : kReadings) write_reading(out, reading, cases);
     write_fits(out, cases);
   }
+  write_grid_convergence(out, cases);
   write_case_notes(out, cases);
 }
 

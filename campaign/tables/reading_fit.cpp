@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "campaign/tables/grid_convergence.hpp"
+
 namespace softwall::campaign {
 namespace {
 
@@ -36,11 +38,12 @@ int add_squares(const MeasuredCase& measured, const PaperCase& paper, double& su
 }  // namespace
 
 std::vector<ReadingFit> reading_fits(const std::vector<MeasuredCase>& cases) {
+  const std::vector<MeasuredCase> finest = finest_of_each(cases);
   std::vector<ReadingFit> fits;
   for (const Reading& reading : kReadings) {
     ReadingFit fit{.reading = &reading};
     double sum = 0;
-    for (const MeasuredCase& measured : cases) {
+    for (const MeasuredCase& measured : finest) {
       for (const PaperCase& paper : paper_cases()) {
         if (!paper.g_table || !is_match(measured, paper, reading)) continue;
         const int values = add_squares(measured, paper, sum);

@@ -14,7 +14,8 @@ struct ReadingFit {
 };
 
 /// One for each of kReadings, over Re_tau of both walls, the maximum of the mean velocity and its place, and
-/// the deformation of elastic walls. The log law is left out: its intervals are wide.
+/// the deformation of elastic walls. The log law is left out: its intervals are wide. Of a
+/// case on several grids the finest counts.
 [[nodiscard]] std::vector<ReadingFit> reading_fits(const std::vector<MeasuredCase>& cases);
 
 /// The one with the least departure; null when none has any value.
