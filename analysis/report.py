@@ -162,14 +162,14 @@ def figures_section(campaign, start):
 
 def health_section(softwall):
     """The last reported state of each solid."""
-    names = ("interface_width_cells", "max_det_error", "limited_cells", "solid_fraction_drift", "max_divergence")
+    names = ("interface_width_cells", "max_det_error", "limited_share", "solid_fraction_drift", "max_divergence")
     found = {}
     for row in softwall.ask("query", "SELECT c.label, d.name, d.value FROM diagnostics d JOIN cases c USING (case_id)"
                                  " WHERE c.in_campaign ORDER BY c.rowid, d.attempt"):
         found.setdefault(row["label"], {})[row["name"]] = row["value"]
     rows = [(html.escape(label), *("" if values.get(name) is None else f"{values[name]:.3g}" for name in names))
             for label, values in found.items()]
-    words = ("case", "width of the interface, cells", "largest |det B − 1|", "cells mended or limited", "drift of the solid's volume",
+    words = ("case", "width of the interface, cells", "largest |det B − 1|", "parts of its cells torn or limited", "drift of the solid's volume",
              "largest divergence")
     return "<h2>Health of the solutions</h2><p>As the last attempt left them.</p>" + table(words, rows)
 

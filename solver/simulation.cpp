@@ -296,7 +296,10 @@ std::map<std::string, double> Simulation::diagnostics() {
   all["min_eigenvalue_B"] = health.min_eigenvalue;
   all["max_det_error"] = health.max_det_error;
   all["interface_width_cells"] = health.interface_width_cells;
-  all["limited_cells"] = record_.limited_cells + limited_cells() - limited_before_;
+  const double limited = record_.limited_cells + limited_cells() - limited_before_;
+  all["limited_cells"] = limited;
+  if (state_.step > 0)
+    all["limited_share"] = limited / (static_cast<double>(state_.step) * health.solid_cells);
   return all;
 }
 

@@ -12,7 +12,7 @@ struct RunRecord {
   /// Spectra::pack(): complete on rank 0 when written, on all ranks when read. Checkpoints of earlier
   /// versions have none.
   std::map<std::string, std::vector<double>> spectra;
-  double limited_cells = 0;          ///< limited or torn cells since the case began, all ranks and attempts
+  double limited_cells = 0;          ///< limited or torn cells, summed over steps since the case began
   double solid_volume_at_start = 0;  ///< sum of phi dV at time 0, h^3
 };
 

@@ -73,6 +73,7 @@ int Solid::find_first_row(const Material& material) const {
 }
 
 void Solid::transport(Material& material, const grid::VectorField& velocity, const Stage& stage, double dt) {
+  const std::int64_t limited_before = formulation_->limited_cells();
   if (excess_viscosity_) excess_viscosity_->renew(material, velocity, first_row_);
   const auto move = [&](PlaneFollower* follower) {
     formulation_->transport(material, velocity, stage, dt, first_row_, follower);
@@ -90,6 +91,7 @@ void Solid::transport(Material& material, const grid::VectorField& velocity, con
   } else {
     move(nullptr);
   }
+  if (is_last(stage)) limited_cells_ += formulation_->limited_cells() - limited_before;
 }
 
 void Solid::resist(const Material& material, const grid::VectorField& before, const ImplicitWeights& weights,

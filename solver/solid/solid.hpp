@@ -66,9 +66,9 @@ class Solid {
   /// Largest stable time step of the elastic waves that are explicit (case/step_limits.hpp).
   [[nodiscard]] double elastic_limit(const Material& material) const;
 
-  /// Cells that the limiter of B touched, or torn cells of a map, on this rank, summed over substeps, since
-  /// the start of the program.
-  [[nodiscard]] std::int64_t limited_cells() const { return formulation_->limited_cells(); }
+  /// Cells that the limiter of B touched, or torn cells of a map, on this rank, in the last substep of each
+  /// step, summed over steps since the start of the program.
+  [[nodiscard]] std::int64_t limited_cells() const { return limited_cells_; }
   [[nodiscard]] int first_row() const { return first_row_; }
   [[nodiscard]] const InterfaceShare& interface_share() const { return formulation_->interface_share(); }
 
@@ -84,6 +84,7 @@ class Solid {
   std::optional<RowStiffness> row_stiffness_;  ///< where it is implicit
   bool splits_viscosity_ = false;              ///< its part between rows is implicit
   int first_row_ = 0;
+  std::int64_t limited_cells_ = 0;
 };
 
 /// A flat layer at rest: phi = 1 above the undeformed interface, B = identity; with a reference map d = 0,

@@ -77,15 +77,15 @@ Extremes extremes_of(const Material& m, const grid::Grid& g, const grid::Box& bo
   return extremes;
 }
 
-/// All rows, also those below the band: what little phi may be left there belongs to the sum.
-double volume_of(const grid::Field& field, const grid::Grid& g,
-                 const parallel::Decomposition& decomposition) {
+/// Sum of phi times the weight of its row. All rows, also those below the band: what little phi may be left
+/// there belongs to the sum.
+template <class WeightOfRow>
+double sum_of(const grid::Field& field, const grid::Grid& g, const parallel::Decomposition& decomposition,
+              const WeightOfRow& weight) {
   const auto phi = field.view();
-  const double* dy = g.dy.exact();
-  const double area = g.dx * g.dz;
   const double here =
-      grid::sum_cells(grid::all_cells(g), [=](int i, int j, int k) { return phi(i, j, k) * dy[j]; });
-  return area * parallel::sum(decomposition.all(), here);
+      grid::sum_cells(grid::all_cells(g), [=](int i, int j, int k) { return phi(i, j, k) * weight(j); });
+  return parallel::sum(decomposition.all(), here);
 }
 
 double width_of(const Material& m, const time::Setup& setup) {
@@ -103,8 +103,11 @@ SolidHealth solid_health(const time::State& state, const time::Setup& setup) {
   const Material& m = state.material;
   const Extremes here =
       extremes_of(m, g, grid::rows(g, setup.solid->first_row(), g.ny), setup.physics.solid->threshold);
+  const double* dy = g.dy.exact();
+  const double volume_over_area = sum_of(m.phi, g, setup.decomposition, [dy](int j) { return dy[j]; });
   return {parallel::minimum(all, here.min_eigenvalue), parallel::maximum(all, here.max_det_error),
-          width_of(m, setup), volume_of(m.phi, g, setup.decomposition)};
+          width_of(m, setup), g.dx * g.dz * volume_over_area,
+          sum_of(m.phi, g, setup.decomposition, [](int) { return 1.0; })};
 }
 
 }  // namespace softwall::statistics

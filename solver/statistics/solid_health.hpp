@@ -14,6 +14,7 @@ struct SolidHealth {
                                      ///< or, in a closed box, along the outline (body.hpp)
   double solid_volume = 0;           ///< sum of phi dV over the box, h^3; constant to round-off
                                      ///< with transported B
+  double solid_cells = 0;            ///< sum of phi: how many cells the solid would fill
 };
 
 /// Health of the solid, the same on all ranks. Collective; ghost cells of B filled (after time::start or a
