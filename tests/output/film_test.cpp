@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "solver/output/snapshot.hpp"
+#include "solver/run_directory/output_size.hpp"
 #include "solver/statistics/interface_height.hpp"
 #include "solver/time/advance.hpp"
 #include "tests/output/sample_state.hpp"
@@ -135,6 +136,30 @@ TEST_F(FilmTest, HoldTheHeightThatTheStatisticsTake) {
   const auto shape = statistics::interface_shape(state.material.phi, g, setup.decomposition);
   EXPECT_NEAR(sum / (kNx * kNz), shape.mean, 1e-7);
   EXPECT_GT(shape.rms, 0.02);
+}
+
+/// But for the grid and what HDF5 keeps for itself, which do not grow with the planes.
+TEST_F(FilmTest, TheirSizeIsKnownFromTheCaseAlone) {
+  std::int64_t more_of_last = 0;
+  for (const int scale : {8, 16}) {
+    Case definition = soft_wall();
+    definition.physics = support::elastic_channel({scale * kNx, 8, 4, scale * kNz});
+    time::Setup setup(definition.physics, world_.get());
+    time::State state = time::state_at_rest(setup);
+    state.step = scale;
+    time::start(state, setup);
+    Film film(run_, definition, setup);
+    write_moment(film, state, setup);
+    const auto more = static_cast<std::int64_t>(std::filesystem::file_size(run_.planes_of(scale))) -
+                      film_moment_bytes(definition.physics, definition.run.planes);
+    EXPECT_GT(more, 0);
+    EXPECT_LT(more, 50000);
+    if (more_of_last > 0) {
+      EXPECT_NEAR(double(more), double(more_of_last), 1e4);
+    }
+    more_of_last = more;
+  }
+  EXPECT_EQ(film_moment_bytes(support::rigid_channel({24, 16, 0, 24}), {}), 0);
 }
 
 /// One rank alone writes the same state: the same bytes.

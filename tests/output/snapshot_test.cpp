@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "solver/output/checkpoint_reader.hpp"
-#include "solver/run_directory/checkpoint_size.hpp"
+#include "solver/run_directory/output_size.hpp"
 #include "tests/output/sample_state.hpp"
 #include "tests/output/shared_folder.hpp"
 

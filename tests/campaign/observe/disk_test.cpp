@@ -38,12 +38,27 @@ TEST(DiskNeed, CountsTheSnapshotAtTheStartAndOneAnInterval) {
   EXPECT_EQ(need_of(campaign_with_snapshots(0, 0.1)).snapshots, 4 * 501);  // 0.1 is no binary number
 }
 
+TEST(DiskNeed, CountsTheMomentsOfFilms) {
+  auto document = tests::elastic_campaign();
+  document["run"]["plane_interval"] = 5;  // at 0, 5 .. 50: of the walls alone
+  const auto need = need_of(tests::campaign_of(document));
+  EXPECT_EQ(need.film_moments, 4 * 11);
+  EXPECT_DOUBLE_EQ(need.film_bytes, 4 * 11 * (48.0 * 48 * 4));  // no plane is asked for: the interface
+  EXPECT_DOUBLE_EQ(need.bytes(), need.checkpoint_bytes + need.film_bytes);
+  document["run"]["planes"]["z"] = {0.5};
+  EXPECT_DOUBLE_EQ(need_of(tests::campaign_of(document)).film_bytes, 4 * 11 * (48.0 * 48 + 5 * (32 * 80)) * 4);
+}
+
 TEST(DiskNeed, IsToldInWords) {
-  DiskNeed need{1.2e9, 0, 0};
+  DiskNeed need;
+  need.checkpoint_bytes = 1.2e9;
   EXPECT_EQ(words_of(need), "checkpoints 1.2 GB");
   need.snapshot_bytes = 5e7;
   need.snapshots = 1;
-  EXPECT_EQ(words_of(need), "checkpoints 1.2 GB and 1 snapshot 0.05 GB");
+  EXPECT_EQ(words_of(need), "checkpoints 1.2 GB, 1 snapshot 0.05 GB");
+  need.film_bytes = 2e8;
+  need.film_moments = 800;
+  EXPECT_EQ(words_of(need), "checkpoints 1.2 GB, 1 snapshot 0.05 GB, 800 moments of films 0.2 GB");
 }
 
 TEST(DiskNeed, OfACaseOnItsWayIsWhatIsStillToCome) {

@@ -1,4 +1,4 @@
-#include "solver/run_directory/checkpoint_size.hpp"
+#include "solver/run_directory/output_size.hpp"
 
 #include <cstddef>
 
@@ -39,6 +39,16 @@ std::int64_t checkpoint_field_bytes(const Physics& physics) {
 
 std::int64_t snapshot_field_bytes(const Physics& physics) {
   return bytes_of_rows(std::int64_t{snapshot_fields(physics)} * physics.grid.ny(), physics);
+}
+
+std::int64_t film_moment_bytes(const Physics& physics, const PlaneSpec& planes) {
+  const std::int64_t nx = physics.grid.nx, ny = physics.grid.ny(), nz = physics.grid.nz;
+  const auto across = [](const std::vector<double>& positions) { return std::ssize(positions); };
+  const std::int64_t points =
+      across(planes.x) * ny * nz + across(planes.y) * nx * nz + across(planes.z) * nx * ny;
+  const std::int64_t fields = physics.solid ? 5 : 4;  // velocity and pressure; the solid fraction
+  const bool has_interface = physics.solid && !is_closed_box(physics.flow);
+  return (fields * points + (has_interface ? nx * nz : 0)) * static_cast<std::int64_t>(sizeof(float));
 }
 
 }  // namespace softwall

@@ -14,4 +14,7 @@ namespace softwall {
 /// The same of one snapshot (output/README.md), all of whose fields are at cell centers.
 [[nodiscard]] std::int64_t snapshot_field_bytes(const Physics& physics);
 
+/// The same of one moment of a film, whose numbers are in single precision always; 0: no film.
+[[nodiscard]] std::int64_t film_moment_bytes(const Physics& physics, const PlaneSpec& planes);
+
 }  // namespace softwall
