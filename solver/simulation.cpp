@@ -298,8 +298,8 @@ std::map<std::string, double> Simulation::diagnostics() {
   all["interface_width_cells"] = health.interface_width_cells;
   const double limited = record_.limited_cells + limited_cells() - limited_before_;
   all["limited_cells"] = limited;
-  if (state_.step > 0)
-    all["limited_share"] = limited / (static_cast<double>(state_.step) * health.solid_cells);
+  const double counted_steps = static_cast<double>(state_.step) - record_.limited_since_step;
+  if (counted_steps > 0) all["limited_share"] = limited / (counted_steps * health.solid_cells);
   return all;
 }
 

@@ -80,6 +80,11 @@ std::vector<double> CheckpointFile::values(const std::string& name) const {
   return analysis::read_dataset(dataset.get(), name, {analysis::dataset_length(dataset.get(), name)});
 }
 
+bool CheckpointFile::has(const std::string& group, const std::string& name) const {
+  const Hdf5Id opened = analysis::open_group(file_.get(), group);
+  return std::ranges::count(analysis::member_names(opened.get()), name) > 0;
+}
+
 std::map<std::string, std::vector<double>> CheckpointFile::more_statistics() const {
   std::map<std::string, std::vector<double>> found;
   const Hdf5Id group = analysis::open_group(file_.get(), "statistics");
@@ -128,7 +133,10 @@ RunRecord load_checkpoint(const std::filesystem::path& path, const CheckpointHea
       must_equal("time (header and contents differ)", header.time, state.time);
       record.statistics = file.values("statistics/accumulators");
       record.spectra = file.more_statistics();
-      record.limited_cells = file.number("diagnostics/limited_cells");
+      const bool counts_steps = file.has("diagnostics", "limited_since_step");
+      record.limited_cells = counts_steps ? file.number("diagnostics/limited_cells") : 0.0;
+      record.limited_since_step =
+          counts_steps ? file.number("diagnostics/limited_since_step") : double(state.step);
       record.solid_volume_at_start = file.number("diagnostics/solid_volume_at_start");
     } catch (const std::exception& error) {
       throw std::runtime_error(path.filename().string() + ": " + error.what());

@@ -30,6 +30,9 @@ class CheckpointFile {
   [[nodiscard]] std::int64_t integer(const std::string& name) const;
   [[nodiscard]] std::vector<double> values(const std::string& name) const;
 
+  /// Whether a group has a member of this name: files of earlier versions lack some.
+  [[nodiscard]] bool has(const std::string& group, const std::string& name) const;
+
   /// What stands beside the accumulators of Statistics, by name.
   [[nodiscard]] std::map<std::string, std::vector<double>> more_statistics() const;
 

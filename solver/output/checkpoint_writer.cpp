@@ -37,8 +37,10 @@ void write_contents(const std::filesystem::path& file, time::State& state, const
     out.write_values_of_root({"statistics/" + name, "sums of " + name + ", as the solver packs them"}, sums);
   out.create_group("diagnostics");
   out.write_number(
-      {"diagnostics/limited_cells", "cells in which B was limited or the map torn, since the case began"},
+      {"diagnostics/limited_cells", "cells in which B was limited or the map torn, summed over steps"},
       record.limited_cells);
+  out.write_number({"diagnostics/limited_since_step", "step since which they are counted"},
+                   record.limited_since_step);
   out.write_number({"diagnostics/solid_volume_at_start", "sum of phi dV at time 0, h^3"},
                    record.solid_volume_at_start);
   out.close();

@@ -17,7 +17,8 @@ bool is_leftover(const std::string& name) {
   if (name.starts_with(".planes-")) return name.find(".h5.tmp-") != std::string::npos;
   return name.starts_with(".planes.xdmf.tmp-") || name.starts_with(".fields.xdmf.tmp-") ||
          name.starts_with(".status.json.tmp-") || name.starts_with(".summary.json.tmp-") ||
-         name.starts_with(".statistics.h5.tmp-") || name.starts_with(".spectra.h5.tmp-");
+         name.starts_with(".statistics.h5.tmp-") || name.starts_with(".spectra.h5.tmp-") ||
+         name.starts_with(".layout.json.tmp-");
 }
 
 }  // namespace

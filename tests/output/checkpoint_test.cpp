@@ -4,7 +4,7 @@
 
 #include "solver/output/checkpoint_reader.hpp"
 #include "solver/output/checkpoints.hpp"
-#include "solver/run_directory/checkpoint_size.hpp"
+#include "solver/run_directory/output_size.hpp"
 #include "solver/time/initial.hpp"
 #include "tests/output/sample_state.hpp"
 #include "tests/output/shared_folder.hpp"
@@ -64,6 +64,7 @@ void expect_round_trip(const Physics& physics, const parallel::Communicator& rea
   EXPECT_EQ(state.driving_gradient, expected.driving_gradient);
   EXPECT_EQ(record.statistics, support::sample_record().statistics);
   EXPECT_EQ(record.limited_cells, 17);
+  EXPECT_EQ(record.limited_since_step, 3);
   EXPECT_EQ(record.solid_volume_at_start, 2.25);
 }
 

@@ -30,6 +30,7 @@ inline output::RunRecord sample_record() {
   return {.statistics = {1.0, 0.1, -1e-300, 1e300},
           .spectra = {},
           .limited_cells = 17,
+          .limited_since_step = 3,
           .solid_volume_at_start = 2.25};
 }
 
