@@ -3,6 +3,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "campaign/core/words.hpp"
 #include "solver/case/time_comparison.hpp"
 
 namespace softwall::campaign {
@@ -102,6 +103,9 @@ class Planner {
     const std::string& name = first.definition.label;
     if (is_finished(first)) {
       const Observation& start = observation(c.precursor_id);
+      const double end_time = first.definition.run.end_time;
+      if (!has_ended_at(start.time, start.step, end_time))
+        return made(c, Outlook::kBlocked, why_beyond(name, start.time, end_time));
       if (start.newest_checkpoint) return made(c, Outlook::kStart, start_reason(first, seen));
       if (!start.needs_person.empty()) return blocked_by(c, first, start.needs_person);
       return made(c, Outlook::kBlocked, name + " has finished, but none of its checkpoints is valid");
@@ -109,6 +113,12 @@ class Planner {
     const Decision& before = decide(first);
     if (before.outlook == Outlook::kBlocked) return blocked_by(c, first, before.reason);
     return made(c, Outlook::kWaiting, "for " + name);
+  }
+
+  /// A case says from which time of another it starts, so that it cannot start from a later one.
+  static std::string why_beyond(const std::string& name, double time, double end_time) {
+    return name + " is at t = " + short_number(time) + ", beyond the end time of " + short_number(end_time) +
+           " that this case starts from; raise that end time again, or give the campaign a new folder";
   }
 
   /// What the first case that cannot go on needs, however many wait in a line behind it.

@@ -1,6 +1,7 @@
 #include "campaign/core/words.hpp"
 
 #include <array>
+#include <cstdio>
 
 namespace softwall::campaign {
 
@@ -75,6 +76,12 @@ std::optional<AttemptOutcome> outcome_of(std::string_view word) { return find_va
 
 std::string counted(std::int64_t number, const std::string& noun) {
   return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
+std::string short_number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
 }
 
 }  // namespace softwall::campaign

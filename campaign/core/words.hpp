@@ -21,4 +21,7 @@ namespace softwall::campaign {
 /// "1 case", "2 cases"; noun: one that takes an s.
 [[nodiscard]] std::string counted(std::int64_t number, const std::string& noun);
 
+/// Four digits, and no zeros at the end: "656.3"
+[[nodiscard]] std::string short_number(double value);
+
 }  // namespace softwall::campaign

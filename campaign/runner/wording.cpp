@@ -1,8 +1,6 @@
 #include "campaign/runner/wording.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "campaign/core/words.hpp"
 #include "campaign/system/clock.hpp"
@@ -16,12 +14,6 @@ std::string place(double time, std::int64_t step) {
 }
 
 }  // namespace
-
-std::string short_number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
 
 std::string describe_start(const CampaignCase& one, int ranks, const Ladder& ladder, bool queued) {
   const std::string& label = one.definition.label;
@@ -87,7 +79,7 @@ std::string describe_progress(const Campaign& campaign, const std::vector<Observ
     return seen.running && seen.presence == Presence::kQueued;
   });
   if (queued > 0) line += " | " + std::to_string(queued) + " queued";
-  return line + " | " + describe_about(seconds_left) + " left";
+  return seconds_left > 0 ? line + " | " + describe_about(seconds_left) + " left" : line;
 }
 
 }  // namespace softwall::campaign

@@ -27,7 +27,5 @@ namespace softwall::campaign {
                                             const std::vector<Observation>& observations,
                                             const std::map<std::string, Status>& working,
                                             double seconds_left);
-/// "12.3": a time or another number, short.
-[[nodiscard]] std::string short_number(double value);
 
 }  // namespace softwall::campaign

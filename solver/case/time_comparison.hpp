@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 /// Comparisons of simulated times. A time is the sum of many steps, so that ten steps of 0.1 do not add up to
 /// 1 exactly; whoever asks whether an end is reached or an interval is over asks here, solver and manager
@@ -15,6 +16,13 @@ inline constexpr double kTimeRoundOff = 1e-9;
 /// Whether a run that is at `time` has come to `goal`, both h/U_b.
 [[nodiscard]] inline bool has_reached(double time, double goal) {
   return time >= goal - kTimeRoundOff * std::abs(goal);
+}
+
+/// Whether a run that is at `time` after `steps` steps stopped because it had come to `goal`: a few steps
+/// beyond at most, and not on the way to a later end.
+[[nodiscard]] inline bool has_ended_at(double time, std::int64_t steps, double goal) {
+  constexpr double kFewSteps = 10;  // of mean length: steps of one run differ
+  return has_reached(time, goal) && (time - goal) * static_cast<double>(steps) <= kFewSteps * time;
 }
 
 /// How many whole intervals have passed at `time`; interval > 0.

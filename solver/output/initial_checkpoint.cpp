@@ -28,9 +28,9 @@ CheckpointHeader check_initial_checkpoint(const std::filesystem::path& file, con
     throw AgreedError(ExitCode::kBadCase, file.string() + " belongs to case " + header.case_id +
                                               ", physics.initial.precursor is " + initial.precursor);
   }
-  if (!has_reached(header.time, initial.precursor_time)) {
+  if (!has_ended_at(header.time, header.step, initial.precursor_time)) {
     throw AgreedError(ExitCode::kBadCase, file.string() + " is of time " + std::to_string(header.time) +
-                                              ", this case starts where the " + who + " has reached " +
+                                              ", this case starts where the " + who + " has come to " +
                                               std::to_string(initial.precursor_time));
   }
   const CheckpointVerdict verdict = verify_checkpoint(file, initial.precursor);

@@ -27,6 +27,15 @@ TEST(TimeComparison, AnEndIsNotReachedAStepBefore) {
   EXPECT_TRUE(has_reached(1e-300, 1e-320));
 }
 
+TEST(TimeComparison, ARunHasEndedAtAGoalOnlyIfItStoppedThere) {
+  EXPECT_TRUE(has_ended_at(300, 4000, 300));
+  EXPECT_TRUE(has_ended_at(300.07, 4000, 300));
+  EXPECT_FALSE(has_ended_at(299, 4000, 300));
+  EXPECT_FALSE(has_ended_at(310, 4000, 300));
+  EXPECT_FALSE(has_ended_at(656, 9000, 30));
+  EXPECT_TRUE(has_ended_at(0, 0, 0));
+}
+
 TEST(TimeComparison, EveryIntervalPassesOnce) {
   for (const double dt : {0.1, 0.05, 0.01, 0.003}) {
     const double interval = 0.1;

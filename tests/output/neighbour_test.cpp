@@ -78,7 +78,7 @@ TEST_F(NeighbourTest, AnotherGridFormulationCaseOrTimeIsRefused) {
   const std::string other_solid = refusal(file, initial(2), wall(SolidFormulation::kTransportedB, 1));
   EXPECT_NE(other_solid.find("same grid, precision and solid.formulation"), std::string::npos);
   EXPECT_NE(other_solid.find("fields/phi"), std::string::npos) << other_solid;
-  EXPECT_NE(refusal(file, initial(3), same).find("where the neighbour has reached 3"), std::string::npos);
+  EXPECT_NE(refusal(file, initial(3), same).find("where the neighbour has come to 3"), std::string::npos);
   InitialSpec other = initial(2);
   other.precursor = "ffffffffffffffff";
   EXPECT_NE(refusal(file, other, same).find("belongs to case 0123456789abcdef"), std::string::npos);

@@ -159,7 +159,7 @@ TEST_F(RegridTest, AnotherPrecursorTimeOrBoxIsRefusedWithBothValues) {
   InitialSpec later = initial();
   later.precursor_time = 2.5;
   EXPECT_NE(message(later, elastic).find("is of time 0.0"), std::string::npos);
-  EXPECT_NE(message(later, elastic).find("has reached 2.5"), std::string::npos);
+  EXPECT_NE(message(later, elastic).find("has come to 2.5"), std::string::npos);
   Physics longer = elastic;
   longer.length_x = 4;
   EXPECT_NE(message(initial(), longer).find("length in x is 3"), std::string::npos);

@@ -150,6 +150,18 @@ TEST(Plan, NothingStartsFromALostPrecursor) {
             std::string::npos);
 }
 
+TEST(Plan, NothingStartsFromATimeThatItDoesNotName) {
+  const Observation far = seen("P", CaseState::kFinished, 656.3),
+                    near = seen("P", CaseState::kFinished, 10.05);
+  EXPECT_EQ(planned(campaign(), {far}), "");
+  EXPECT_NE(decision(campaign(), {far}, "A").reason.find("P is at t = 656.3, beyond the end time of 10 "),
+            std::string::npos)
+      << decision(campaign(), {far}, "A").reason;
+  EXPECT_EQ(planned(campaign(), {near}), "start A, start B, start C");
+  // One that has begun has its start behind it.
+  EXPECT_EQ(planned(campaign(), {far, seen("A", CaseState::kInterrupted)}), "resume A");
+}
+
 TEST(Plan, RetriesEndWithoutProgress) {
   Observation failing = seen("A", CaseState::kFailed);
   failing.attempts = 50;

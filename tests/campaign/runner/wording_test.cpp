@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "campaign/core/words.hpp"
+
 namespace softwall::campaign {
 namespace {
 
