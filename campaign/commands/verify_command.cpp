@@ -7,6 +7,7 @@
 #include "campaign/commands/verify_record.hpp"
 #include "campaign/commands/verify_store.hpp"
 #include "campaign/launch/make_launcher.hpp"
+#include "campaign/observe/averages.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/runner/campaign_lock.hpp"
@@ -99,6 +100,12 @@ std::string trouble_with_newest(const RunFiles& run, const std::string& case_id)
   return "that of step " + std::to_string(summary->step) + ", with which the last attempt ended, is missing";
 }
 
+/// A case may finish without any average in its window: then there is no result to store.
+std::string trouble_with_result(const Store& store, const CampaignCase& one, const RunFiles& run) {
+  if (store.result_origin(one.definition.id)) return "";
+  return averages_so_far(one, run) ? "the store has no result of it" : "";
+}
+
 class Verification {
  public:
   Verification(const LoadedCampaign& loaded, Findings& findings) : loaded_(loaded), findings_(findings) {
@@ -110,6 +117,15 @@ class Verification {
   }
 
   void check(const CampaignCase& one, const RunFiles& run, bool busy) {
+    try {
+      check_files(one, run, busy);
+    } catch (const std::system_error& error) {
+      findings_.add(one.directory, error.what());
+    }
+  }
+
+ private:
+  void check_files(const CampaignCase& one, const RunFiles& run, bool busy) {
     const std::string& id = one.definition.id;
     if (rows_ && !busy) tell_of_store(one.definition.label + ": ", rows_->trouble_with_case(one, run));
     if (!std::filesystem::exists(run.directory)) return;
@@ -124,7 +140,6 @@ class Verification {
     if (!busy) check_at_rest(one, run, tell);
   }
 
- private:
   template <class Tell>
   void check_checkpoints(const CampaignCase& one, const RunFiles& run, bool busy, const Tell& tell) {
     std::vector<std::pair<std::filesystem::path, std::string>> damaged;
@@ -158,7 +173,7 @@ class Verification {
     }
     if (observe_files(one, run).state != CaseState::kFinished) return;
     tell(run.statistics(), trouble_with_statistics(run, id));
-    if (store_) tell(run.statistics(), store_->result_origin(id) ? "" : "the store has no result of it");
+    if (store_) tell(run.statistics(), trouble_with_result(*store_, one, run));
   }
 
   void check_store() {

@@ -63,7 +63,9 @@ RunnerReport Runner::run() {
       } else {
         start_as_many_as_fit();
       }
-      if (launcher_.idle()) return report();
+      // A case that cannot be started leaves its cores to others, which the next plan finds.
+      const bool may_start_more = changed_ && signals_.stop_requests() == 0;
+      if (launcher_.idle() && !may_start_more) return report();
       read_reports();
       end_what_is_over();
       import_on_the_way();
@@ -238,7 +240,7 @@ void Runner::record_end(const EndedAttempt& ended) {
 void Runner::record_state(const CampaignCase& one, const AttemptEnd& end) {
   const std::string& id = one.definition.id;
   const RunFiles run = book_.files_of(one);
-  store_.record_checkpoints(id, checkpoint_records(run));
+  import_checkpoints(store_, id, run);
   const Observation files = observe_files(one, run);
   CaseState state = files.state;
   if (failed_by_itself(end.outcome)) state = CaseState::kFailed;
@@ -278,7 +280,12 @@ void Runner::deliver_result(const CampaignCase& one) {
 bool Runner::repair_statistics(const CampaignCase& one, const std::string& trouble) {
   const std::string& id = one.definition.id;
   const RunFiles run = book_.files_of(one);
-  const auto ladder = checkpoint_ladder(run);
+  std::vector<std::filesystem::path> ladder;
+  try {
+    ladder = checkpoint_ladder(run);
+  } catch (const std::system_error&) {
+    return false;  // they cannot be read now: no help from there
+  }
   if (ladder.empty() || !statistics_are_damaged(run, id)) return false;
   if (!repaired_.insert(id).second) return false;
   book_.mark_unfinished(one, ladder.front(), "its statistics are made again from its last checkpoint");

@@ -95,12 +95,22 @@ bool record_if_new(Store& store, const std::string& case_id, const analysis::Der
 
 }  // namespace
 
+void import_checkpoints(Store& store, const std::string& case_id, const RunFiles& run) {
+  std::vector<CheckpointRecord> records;
+  try {
+    records = checkpoint_records(run);
+  } catch (const std::system_error&) {
+    return;  // the case itself tells why it cannot go on (observe_files)
+  }
+  store.record_checkpoints(case_id, records);
+}
+
 void import_history(Store& store, const CampaignCase& one, const RunFiles& run, const Observation& seen) {
   const std::string& id = one.definition.id;
   close_open_attempts(store, one, run);
   restore_history(store, one, run);
   restore_newest_attempt(store, one, run);
-  store.record_checkpoints(id, checkpoint_records(run));
+  import_checkpoints(store, id, run);
   if (!seen.running) store.set_state(id, seen.state, seen.reason);
 }
 

@@ -16,6 +16,9 @@ namespace softwall::campaign {
 void import_history(Store& store, const CampaignCase& campaign_case, const RunFiles& run,
                     const Observation& seen);
 
+/// Records the checkpoints of a run directory. Where they cannot be read, the store keeps what it knows.
+void import_checkpoints(Store& store, const std::string& case_id, const RunFiles& run);
+
 /// The result of a finished case, unless the store has it already from this version of the analysis and from
 /// this run. True when it was derived now. Throws std::runtime_error when the statistics cannot be used.
 bool import_result(Store& store, const CampaignCase& campaign_case, const RunFiles& run);

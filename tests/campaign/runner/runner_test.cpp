@@ -188,6 +188,38 @@ TEST_F(RunnerTest, AFullDiskPausesTheCaseButDoesNotCondemnIt) {
   EXPECT_EQ(store().attempts(id(3)), 1);
 }
 
+/// However few cores there are, so that the others wait for those of the case in trouble.
+TEST_F(RunnerTest, ACaseThatCannotBeStartedHoldsNobodyUp) {
+  campaign_.execution.cores = 2;
+  FakeLauncher precursor_only([&](const LaunchRequest& request) {
+    return request.case_id == id(0) ? finish(request) : static_cast<int>(ExitCode::kIoFailure);
+  });
+  run(precursor_only);
+  for (std::size_t i : {1U, 2U}) {
+    const auto file = RunFiles{folder_.path() / campaign_.cases[i].directory}.case_file();
+    std::filesystem::remove(file);
+    std::filesystem::create_directory(file);
+  }
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  const RunnerReport report = run(launcher);
+  EXPECT_EQ(report.finished, 3U);
+  ASSERT_EQ(report.unfinished.size(), 2U);
+  EXPECT_NE(report.unfinished[0].reason.find("case.json"), std::string::npos) << report.unfinished[0].reason;
+}
+
+/// A file where the folder should be stands for every folder that cannot be read.
+TEST_F(RunnerTest, AFolderOfCheckpointsThatCannotBeReadHoldsNobodyUp) {
+  const RunFiles broken{folder_.path() / campaign_.cases[1].directory};
+  std::filesystem::create_directories(broken.directory);
+  std::ofstream(broken.checkpoints()) << "no folder";
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  const RunnerReport report = run(launcher);
+  EXPECT_EQ(report.finished, 4U);
+  ASSERT_EQ(report.unfinished.size(), 1U);
+  EXPECT_NE(report.unfinished[0].reason.find("checkpoints cannot be read"), std::string::npos)
+      << report.unfinished[0].reason;
+}
+
 TEST_F(RunnerTest, AStopRequestStartsNothingMoreAndLeavesTheRestForResume) {
   FakeLauncher launcher([&](const LaunchRequest& request) {
     raise(SIGTERM);  // taken by the runner's next look at its signals
