@@ -19,8 +19,20 @@ bool has_result(const MeasuredCase& measured) {
   return measured.value(kConverging[0].column).value.has_value();
 }
 
-double ratio_of_spacings(const MeasuredCase& coarser, const MeasuredCase& finer) {
-  return std::cbrt(static_cast<double>(finer.cells) / static_cast<double>(coarser.cells));
+std::int64_t cells_of(const MeasuredCase& measured) {
+  return measured.sides[0] * measured.sides[1] * measured.sides[2];
+}
+
+/// Empty where the directions are not refined alike, so that the grids have no one ratio.
+std::optional<double> ratio_of_spacings(const MeasuredCase& coarser, const MeasuredCase& finer) {
+  constexpr double kAlike = 0.1;
+  const double ratio =
+      std::cbrt(static_cast<double>(cells_of(finer)) / static_cast<double>(cells_of(coarser)));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double along = static_cast<double>(finer.sides[axis]) / static_cast<double>(coarser.sides[axis]);
+    if (std::abs(along - ratio) > kAlike * ratio) return std::nullopt;
+  }
+  return ratio;
 }
 
 /// By grid, the coarsest first. Cases of one physics differ in nothing but their grid.
@@ -34,7 +46,8 @@ std::vector<CaseOnGrids> by_physics(const std::vector<MeasuredCase>& cases) {
     else
       group->push_back(&one);
   }
-  for (CaseOnGrids& group : groups) std::ranges::stable_sort(group, {}, &MeasuredCase::cells);
+  for (CaseOnGrids& group : groups)
+    std::ranges::stable_sort(group, {}, [](const MeasuredCase* one) { return cells_of(*one); });
   return groups;
 }
 
@@ -83,7 +96,7 @@ std::vector<MeasuredCase> finest_of_each(const std::vector<MeasuredCase>& cases)
   std::vector<MeasuredCase> finest;
   for (const CaseOnGrids& group : by_physics(cases)) {
     const auto best = std::ranges::max_element(
-        group, {}, [](const MeasuredCase* one) { return std::pair(has_result(*one), one->cells); });
+        group, {}, [](const MeasuredCase* one) { return std::pair(has_result(*one), cells_of(*one)); });
     finest.push_back(**best);
   }
   return finest;
@@ -99,8 +112,9 @@ std::optional<double> change(const MeasuredCase& coarser, const MeasuredCase& fi
 MeasuredValue extrapolated(const MeasuredCase& coarser, const MeasuredCase& finer,
                            const std::string& column) {
   const MeasuredValue before = coarser.value(column), now = finer.value(column);
-  const double ratio = ratio_of_spacings(coarser, finer);
-  if (!before.value || !now.value || ratio < kLeastRatio) return {};
+  const auto found = ratio_of_spacings(coarser, finer);
+  if (!before.value || !now.value || !found || *found < kLeastRatio) return {};
+  const double ratio = *found;
   const double gap = *now.value - *before.value;
   const double second_order = 1 / (ratio * ratio - 1), first_order = 1 / (ratio - 1);
   MeasuredValue limit{*now.value + second_order * gap, std::nullopt};

@@ -27,8 +27,8 @@ using CaseOnGrids = std::vector<const MeasuredCase*>;
 /// The value at vanishing spacing if the error fell with its square. The half width joins, as root of the sum
 /// of squares, what the two intervals amount to and the distance to the value if the error fell with the
 /// spacing itself: with two grids the order is not known, and with three the intervals would hide it. Without
-/// half width where an interval is missing; empty where a value is, or where the spacings are not in a ratio
-/// of 1.3 at least, as Celik et al. ask.
+/// half width where an interval is missing; empty where a value is, where the directions are not refined
+/// alike, or where the spacings are not in a ratio of 1.3 at least, as Celik et al. ask.
 [[nodiscard]] MeasuredValue extrapolated(const MeasuredCase& coarser, const MeasuredCase& finer,
                                          const std::string& column);
 

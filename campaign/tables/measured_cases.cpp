@@ -17,8 +17,11 @@ constexpr std::size_t kMostCharacters = 16;  // what keeps the widest table on i
 constexpr std::string_view kCases = R"sql(
 SELECT c.label, c.state, c.stale_reason, q.note, c.grid, c.G, c.viscosity_ratio, c.reynolds,
   iif(c.flow = 'rigid_channel', 0.0, json_extract(c.physics, '$.domain.layer_height')),
-  q.window_start, q.window_end, c.end_time, c.case_id, c.flow, c.cells,
-  json_remove(c.physics, '$.grid', '$.initial.precursor'),
+  q.window_start, q.window_end, c.end_time, c.case_id, c.flow,
+  json_extract(c.physics, '$.grid.nx'),
+  json_extract(c.physics, '$.grid.ny_fluid') + json_extract(c.physics, '$.grid.ny_solid'),
+  json_extract(c.physics, '$.grid.nz'),
+  json_remove(c.physics, '$.grid', '$.initial.precursor', '$.initial.precursor_time'),
   (SELECT group_concat(key || '=' || value, ' ') FROM json_each(c.varied)
     WHERE key NOT IN ('nx', 'ny_fluid', 'ny_solid', 'nz', 'stretching') AND key NOT LIKE 'grid.%')
 FROM cases c LEFT JOIN quantities q ON q.case_id = c.case_id AND q.quantity = 'batches'
@@ -75,9 +78,9 @@ std::vector<MeasuredCase> measured_cases(Connection& store, std::int64_t most) {
     found.window_end = rows.optional_real(10);
     found.end_time = rows.real(11);
     found.flow = rows.text(13);
-    found.cells = rows.integer(14);
-    found.but_for_the_grid = rows.text(15);
-    found.varied_but_for_the_grid = rows.text(16);
+    found.sides = {rows.integer(14), rows.integer(15), rows.integer(16)};
+    found.but_for_the_grid = rows.text(17);
+    found.varied_but_for_the_grid = rows.text(18);
     cases.push_back(std::move(found));
   }
   for (MeasuredCase& one : cases) read_values(store, one);

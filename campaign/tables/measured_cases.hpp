@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -19,8 +20,9 @@ struct MeasuredValue {
 struct MeasuredCase {
   std::string case_id, label, flow, state, stale_reason, note, grid;
   std::string varied_but_for_the_grid;  ///< "G=0.5 viscosity_ratio=1": what the sweep gave it but the grid
-  std::string but_for_the_grid;         ///< all physical parameters but the grid's, JSON
-  std::int64_t cells = 0;
+  /// All physical parameters but the grid's and those of the precursor, which has the same grid; JSON.
+  std::string but_for_the_grid;
+  std::array<std::int64_t, 3> sides{};       ///< cells along x, y, z
   std::optional<double> g, viscosity_ratio;  ///< empty: rigid walls
   double reynolds = 0.0;
   double layer_height = 0.0;                       ///< [h]; 0: rigid walls

@@ -31,7 +31,7 @@ values under each reading. Bulk Reynolds number 2800; lengths in h, velocities i
 Re_tau: elastic wall; u_M, y_M: maximum of the mean velocity and its place, from the centre plane; delta, delta':
 maximum and rms of the wall's deformation; d, k+Dk, DU+: log law at the elastic wall with the constant)";
 
-std::string short_number(std::optional<double> value) {
+std::string number_or_dash(std::optional<double> value) {
   if (!value) return "-";
   std::array<char, 32> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%g", *value);
@@ -45,7 +45,8 @@ std::string paper_name(const PaperCase& paper, const Reading& reading) {
     std::snprintf(buffer.data(), buffer.size(), "%-10s rigid walls", paper.name.c_str());
   } else {
     std::snprintf(buffer.data(), buffer.size(), "%-10s G=%-5s mu=%s", paper.name.c_str(),
-                  short_number(reading.modulus(paper)).c_str(), short_number(paper.viscosity_ratio).c_str());
+                  number_or_dash(reading.modulus(paper)).c_str(),
+                  number_or_dash(paper.viscosity_ratio).c_str());
   }
   return buffer.data();
 }
@@ -94,35 +95,47 @@ void write_reading(std::ostream& out, const Reading& reading, const std::vector<
   write_comparison(out, reading, kTable2, cases);
 }
 
-/// Which of them fits best is for the reader to judge; this only says how well each does.
+std::string words_of(const Departure& departure) {
+  return number_or_dash(std::round(1e3 * departure.rms) / 1e3) + ", " + counted(departure.values, "value") +
+         " of " + counted(departure.rows, "row");
+}
+
+/// Which of them the paper means is for the reader to judge; this only says how well each does.
 void write_fits(std::ostream& out, const std::vector<MeasuredCase>& cases) {
   const std::vector<ReadingFit> fits = reading_fits(cases);
+  const ReadingFit* best = best_of(fits);
   out << "\nHOW WELL EACH READING FITS\n"
       << wrapped(
              "rms of (measured - printed) over the range of the paper's seven cases, of Re_tau^w, Re_tau, "
-             "u_M, y_M, delta and delta' of elastic walls, each on its finest grid",
+             "u_M, y_M, delta and delta' of elastic walls, each on its finest grid. Intervals do not enter. "
+             "Only rows "
+             "with a result under every reading compare the readings",
              kPageWidth)
       << "\n";
   for (const ReadingFit& fit : fits) {
     out << "    " << fit.reading->name << ": ";
-    if (fit.values == 0) {
+    if (fit.all.values == 0) {
       out << "no case with results\n";
-    } else {
-      out << short_number(std::round(1e3 * fit.departure) / 1e3) << ", " << fit.values << " values of "
-          << counted(fit.cases, "case") << (&fit == best_of(fits) ? "; the least\n" : "\n");
+      continue;
     }
+    out << words_of(fit.all);
+    if (best) out << "; over shared rows " << words_of(fit.shared) << (&fit == best ? ", the least" : "");
+    out << "\n";
   }
+  if (!best) out << "    no row has a result under every reading, so that nothing compares them\n";
 }
 
 void write_preface(std::ostream& out, const std::string& campaign) {
   const std::string title = "Campaign " + printable(campaign) + " " + std::string(kPreface);
-  out << wrapped(title, kPageWidth) << " B = " << short_number(analysis::kAdditiveConstant) << ".\n";
+  out << wrapped(title, kPageWidth) << " B = " << number_or_dash(analysis::kAdditiveConstant) << ".\n";
 }
 
 std::string window_text(const MeasuredCase& measured) {
-  if (!measured.window_start) return "nothing measured yet";
-  return "mean over t = " + short_number(measured.window_start) + " to " + short_number(measured.window_end) +
-         " of " + short_number(measured.end_time) + " h/U_b";
+  if (!measured.window_start)
+    return measured.state == "finished" ? "no averages in the window that was asked for"
+                                        : "nothing measured yet";
+  return "mean over t = " + number_or_dash(measured.window_start) + " to " +
+         number_or_dash(measured.window_end) + " of " + number_or_dash(measured.end_time) + " h/U_b";
 }
 
 void write_case_notes(std::ostream& out, const std::vector<MeasuredCase>& cases) {

@@ -21,48 +21,69 @@ double range_of(const char* column) {
   return most - least;
 }
 
-/// Adds the squares of the departures of one case; returns how many there are.
-int add_squares(const MeasuredCase& measured, const PaperCase& paper, double& sum) {
-  int values = 0;
+/// Sum of the squares of departures while it is being added up.
+struct Squares {
+  double sum = 0;
+  int values = 0, rows = 0;
+
+  void add(const Squares& more) {
+    sum += more.sum;
+    values += more.values;
+    rows += more.rows;
+  }
+  [[nodiscard]] Departure departure() const {
+    return {values > 0 ? std::sqrt(sum / values) : 0.0, values, rows};
+  }
+};
+
+void add_case(const MeasuredCase& measured, const PaperCase& paper, Squares& to) {
   for (const char* column : kCompared) {
     const auto found = measured.value(column).value;
     const auto printed = paper.number(column);
     if (!found || !printed) continue;
     const double departure = (*found - *printed) / range_of(column);
-    sum += departure * departure;
-    ++values;
+    to.sum += departure * departure;
+    ++to.values;
   }
-  return values;
+}
+
+/// Of each of the paper's rows, in their order; that of the rigid channel, and what has no result, is empty.
+std::vector<Squares> by_row(const Reading& reading, const std::vector<MeasuredCase>& cases) {
+  std::vector<Squares> rows;
+  for (const PaperCase& paper : paper_cases()) {
+    Squares& row = rows.emplace_back();
+    if (!paper.g_table) continue;
+    for (const MeasuredCase& measured : cases)
+      if (is_match(measured, paper, reading)) add_case(measured, paper, row);
+    row.rows = row.values > 0 ? 1 : 0;
+  }
+  return rows;
 }
 
 }  // namespace
 
 std::vector<ReadingFit> reading_fits(const std::vector<MeasuredCase>& cases) {
   const std::vector<MeasuredCase> finest = finest_of_each(cases);
+  std::vector<std::vector<Squares>> of_readings;
+  for (const Reading& reading : kReadings) of_readings.push_back(by_row(reading, finest));
+  const auto is_shared = [&](std::size_t row) {
+    return std::ranges::all_of(of_readings, [row](const auto& rows) { return rows[row].values > 0; });
+  };
   std::vector<ReadingFit> fits;
-  for (const Reading& reading : kReadings) {
-    ReadingFit fit{.reading = &reading};
-    double sum = 0;
-    for (const MeasuredCase& measured : finest) {
-      for (const PaperCase& paper : paper_cases()) {
-        if (!paper.g_table || !is_match(measured, paper, reading)) continue;
-        const int values = add_squares(measured, paper, sum);
-        fit.values += values;
-        fit.cases += values > 0 ? 1 : 0;
-      }
+  for (std::size_t n = 0; n < kReadings.size(); ++n) {
+    Squares all, shared;
+    for (std::size_t row = 0; row < of_readings[n].size(); ++row) {
+      all.add(of_readings[n][row]);
+      if (is_shared(row)) shared.add(of_readings[n][row]);
     }
-    if (fit.values > 0) fit.departure = std::sqrt(sum / fit.values);
-    fits.push_back(fit);
+    fits.push_back({&kReadings[n], all.departure(), shared.departure()});
   }
   return fits;
 }
 
 const ReadingFit* best_of(const std::vector<ReadingFit>& fits) {
-  const ReadingFit* best = nullptr;
-  for (const ReadingFit& fit : fits) {
-    if (fit.values > 0 && (best == nullptr || fit.departure < best->departure)) best = &fit;
-  }
-  return best;
+  const auto best = std::ranges::min_element(fits, {}, [](const ReadingFit& fit) { return fit.shared.rms; });
+  return best != fits.end() && best->shared.values > 0 ? &*best : nullptr;
 }
 
 }  // namespace softwall::campaign

@@ -22,7 +22,7 @@ MeasuredCase on_grid(const std::string& label, int side, const MeasuredValue& re
   MeasuredCase one;
   one.label = label;
   one.grid = std::to_string(side) + "x" + std::to_string(side) + "x" + std::to_string(side);
-  one.cells = std::int64_t{side} * side * side;
+  one.sides = {side, side, side};
   one.but_for_the_grid = "{}";
   if (re_tau.value) one.values["re_tau"] = re_tau;
   return one;
@@ -53,6 +53,12 @@ TEST(GridConvergence, GridsThatAreNearlyTheSameSayNothing) {
   EXPECT_FALSE(extrapolated(coarser, finer, "re_tau").value.has_value());
   EXPECT_NEAR(change(coarser, finer, "re_tau").value(), 10.0 / 210, 1e-15);
   EXPECT_FALSE(change(coarser, finer, "delta_max").has_value());
+}
+
+TEST(GridConvergence, ADirectionThatIsNotRefinedSaysNothing) {
+  MeasuredCase coarser = on_grid("coarse", 100, {200, 5}), finer = on_grid("fine", 200, {210, 2});
+  finer.sides[0] = 100;
+  EXPECT_FALSE(extrapolated(coarser, finer, "re_tau").value.has_value());
 }
 
 TEST(GridConvergence, OnlyCasesThatDifferInNothingElseAreCompared) {
@@ -114,7 +120,7 @@ TEST_F(TwoGridsTest, ThePageShowsTheChangeFromGridToGrid) {
 TEST_F(TwoGridsTest, AReadingIsJudgedByTheFinestGrid) {
   measure(coarse, 300);
   measure(fine, 203.3);  // printed for this G as the text reads
-  EXPECT_THAT(page(), HasSubstr("    text: 0, 1 values of 1 case; the least\n"));
+  EXPECT_THAT(page(), HasSubstr("    text: 0, 1 value of 1 row\n"));
 }
 
 }  // namespace

@@ -176,14 +176,28 @@ TEST_F(PaperTablesTest, AreRowsForOtherPrograms) {
 }
 
 TEST_F(PaperTablesTest, SaysHowWellEachReadingFits) {
-  measure(1.0, 1.0, 203.3);  // printed for this G as the text reads
-  EXPECT_THAT(page(), HasSubstr("    text: 0, 1 values of 1 case; the least\n"));
-  EXPECT_THAT(page(), ContainsRegex("    table: 0\\.28[0-9]*, 1 values of 1 case\n"));
+  // Of the row with 203.3 each reading has a case; of that with 240.5 the table's and the text's, of the last
+  // and of the first one of them.
+  measure(1.0, 1.0, 203.3);
+  measure(2.0, 1.0, 230.0);
+  measure(0.5, 1.0, 220.0);
+  EXPECT_THAT(
+      page(),
+      ContainsRegex("    text: 0\\.[0-9]*, 3 values of 3 rows; over shared rows 0, 1 value of 1 row, the "
+                    "least\n"));
+  EXPECT_THAT(
+      page(),
+      ContainsRegex("    table: 0\\.[0-9]*, 3 values of 3 rows; over shared rows 0\\.2[0-9]*, 1 value of 1 "
+                    "row\n"));
   EXPECT_EQ(best_of(reading_fits(measured_cases(store.connection())))->reading->name, std::string("text"));
 }
 
 TEST_F(PaperTablesTest, SaysNothingOfAReadingWithoutResults) {
   EXPECT_THAT(page(), HasSubstr("    half: no case with results\n"));
+  EXPECT_THAT(page(), HasSubstr("nothing compares them"));
+  measure(1.0, 1.0, 203.3);  // under each reading beside another row
+  EXPECT_THAT(page(), HasSubstr("    text: 0, 1 value of 1 row\n"));
+  EXPECT_THAT(page(), HasSubstr("nothing compares them"));
   EXPECT_EQ(best_of(reading_fits(measured_cases(store.connection()))), nullptr);
 }
 
