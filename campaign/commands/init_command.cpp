@@ -63,7 +63,7 @@ ExitStatus begin_campaign(const fs::path& folder) {
   const fs::path file = folder / "campaign.json";
   std::error_code unreadable;
   if (fs::exists(file, unreadable))
-    throw BadInput(folder.string(), {{"", "has a campaign.json already", "a new folder"}});
+    throw BadInput(folder.string(), {{"", "has a campaign.json already", "name a new folder"}});
   fs::create_directories(folder);
   const std::string text = text_for(folder);
   write_atomically(file, text);

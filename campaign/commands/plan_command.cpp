@@ -107,6 +107,8 @@ void print_json(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
       {"checkpoint_bytes", planned.ready.disk.checkpoint_bytes},
       {"snapshot_bytes", planned.ready.disk.snapshot_bytes},
       {"snapshots", planned.ready.disk.snapshots},
+      {"film_bytes", planned.ready.disk.film_bytes},
+      {"film_moments", planned.ready.disk.film_moments},
       {"disk_free_bytes", planned.ready.disk_free_bytes},
       {"memory_bytes", planned.ready.memory_bytes},
       {"machine_memory_bytes", planned.ready.machine_memory_bytes},
@@ -121,9 +123,11 @@ std::string where_and_how_long(const Execution& execution, const PlannedCampaign
   const int cores = execution.cores;
   const std::string time = ": " + describe_about(planned.wall_seconds);
   const std::string those = counted(cores, "core");
+  const int there = planned.ready.machine_cores;
+  const std::string of_how_many = cores > there ? " (it has " + std::to_string(there) + ")" : "";
   if (planned.ready.machine_memory_bytes > 0)
-    return "On " + those + " of this machine" + time + "; memory " + gigabytes(planned.ready.memory_bytes) +
-           " of " + gigabytes(planned.ready.machine_memory_bytes);
+    return "On " + those + " of this machine" + of_how_many + time + "; memory " +
+           gigabytes(planned.ready.memory_bytes) + " of " + gigabytes(planned.ready.machine_memory_bytes);
   const std::string most = cores == kUnlimitedCores ? "all of them at once" : those + " at once";
   const int together = execution.slurm.cases_per_job;
   const std::string jobs = together > 1 ? ", up to " + counted(together, "case") + " a job" : "";

@@ -173,6 +173,7 @@ Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>
   result.disk_free_bytes = static_cast<double>(fs::space(loaded.folder).available);
   result.memory_bytes = memory_side_by_side(campaign, decisions);
   result.machine_memory_bytes = machine.memory_bytes;
+  result.machine_cores = machine.cores;
   if (result.disk.bytes() > result.disk_free_bytes) {
     result.mistakes.push_back({"disk", gigabytes(result.disk_free_bytes) + " free",
                                "this campaign has yet to write " + words_of(result.disk)});

@@ -21,6 +21,7 @@ struct Preflight {
   double disk_free_bytes = 0.0;
   double memory_bytes = 0.0;  ///< of the cases at work side by side, at most
   double machine_memory_bytes = 0.0;
+  int machine_cores = 0;  ///< that softwall may use
 };
 
 /// Looks only at what is yet to be started: the cases of a finished campaign need nothing. Prepares the
