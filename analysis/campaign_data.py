@@ -121,7 +121,8 @@ class Case:
 
     @property
     def u_tau_w(self):
-        return math.sqrt(self.mean("wall_shear_bottom"))
+        square = self.mean("wall_shear_bottom")
+        return math.sqrt(square) if square > 0 else math.nan
 
     @property
     def u_tau(self):

@@ -5,6 +5,8 @@ are those of the cells; what stands on the faces between two rows belongs to eac
 transports add up to zero, and all terms in each row. Units: rho U_b^3 / h.
 """
 
+import math
+
 import numpy as np
 
 
@@ -70,9 +72,12 @@ class Budget:
         }
 
     def closure(self):
-        """Integral of |sum of all terms| and |sum of the integrals|, over the production."""
+        """Integral of |sum of all terms| and |sum of the integrals|, over the production. NaN where nothing is produced, as in
+        laminar flow."""
         terms = self.terms()
         rest, produced = sum(terms.values()), self.total(terms["production"])
+        if produced <= 0:
+            return math.nan, math.nan
         return self.total(abs(rest)) / produced, abs(self.total(rest)) / produced
 
     def bulk(self):

@@ -13,6 +13,7 @@ import sys
 import packages
 
 packages.needed("h5py", "matplotlib", "numpy")
+from campaign_data import plt  # noqa: E402  (the packages come first)
 
 HERE = pathlib.Path(__file__).parent
 # By the name of the file, in the order in which they are read: the script and what else it is told. The scripts of the
@@ -41,7 +42,8 @@ PICTURES = ("wall_surface", "velocity_planes", "correlations_x", "correlations_z
 
 
 def draw(name, options, output):
-    """Runs the script of one figure as a user would. Returns why it drew nothing, or nothing."""
+    """Runs the script of one figure as a user would. Returns why it drew nothing, or nothing. Whatever one script stumbles
+    over, the other figures are drawn."""
     script, *more = FIGURES[name]
     words = [str(HERE / script), str(options.campaign), *more, "-o", str(output)]
     if options.start is not None:
@@ -54,9 +56,13 @@ def draw(name, options, output):
         with contextlib.redirect_stdout(io.StringIO()):  # numbers that a script prints for who calls it by itself
             runpy.run_path(words[0], run_name="__main__")
     except SystemExit as end:
-        return str(end.code) if end.code else None
+        if end.code:
+            return str(end.code)
+    except Exception as error:  # of any kind: scripts meet data that nobody thought of
+        return f"{type(error).__name__}: {error}"
     finally:
         sys.argv = before
+        plt.close("all")
     print(output)
     return None
 

@@ -8,6 +8,7 @@ from flow_fields import autocorrelation, flow_fields
 from spectra_data import read_spectra
 
 import numpy as np
+from matplotlib.artist import Artist
 
 LEVELS = (-0.1, 0.1, 0.3, 0.5, 0.7, 0.9)  # the paper's
 AXES = {"x": 2, "z": 0}  # of a field [z][y][x]
@@ -58,13 +59,17 @@ def source_of(case):
     return FromMoments(case, moments) if moments else None
 
 
+def columns_of(case, axis):
+    return int(case.grid.replace("+", "x").split("x")[0 if axis == "x" else -1])
+
+
 def draw(panel, source, name, axis):
     case, (y, rows) = source.case, source.rows(name, axis)
     length = case.box["xz".index(axis)]
     separation = np.linspace(0, length / 2, rows.shape[1])
     top = case.interface_y + case.layer_height / 2 if case.elastic else case.interface_y
     shades = panel.contourf(separation, y, np.clip(rows, -0.1, 1), levels=np.linspace(-0.1, 1, 23), cmap="Greys")
-    for shade in shades.collections:
+    for shade in [shades] if isinstance(shades, Artist) else shades.collections:  # before matplotlib 3.8
         shade.set_rasterized(True)  # in a vector figure the lines alone are vectors
     for level in levels_within(rows, LEVELS):
         panel.contour(separation, y, rows, levels=[level], colors="tab:orange", linewidths=1.4 if level > 0 else 0.6,
@@ -76,7 +81,7 @@ def draw(panel, source, name, axis):
 
 def main():
     options = arguments(__doc__, lambda parser: parser.add_argument("--axis", choices=AXES, default="x"))
-    found = [source for case in read_campaign(options) if (source := source_of(case))]
+    found = [source for case in read_campaign(options) if columns_of(case, options.axis) > 1 and (source := source_of(case))]
     if not found:
         raise SystemExit("no case has spectra, a snapshot or a checkpoint")
     figure, rows = plt.subplots(3, len(found), figsize=(2.6 * len(found) + 1.5, 7.5), layout="constrained", squeeze=False,

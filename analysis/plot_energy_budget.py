@@ -2,6 +2,8 @@
 """Budget of the turbulent kinetic energy across the channel, from the powers and works that the solver has summed; prints how
 well it closes, and where the power of the driving gradient goes."""
 
+import math
+
 from campaign_data import arguments, grids_of, judge, plt, read_campaign, save
 from energy_budget import Budget
 from spectra_data import read_spectra
@@ -31,7 +33,9 @@ def draw(panel, case, budget):
     panel.plot(budget.y, sum(terms.values()), color="black", linewidth=0.8, label="sum of all")
     if case.elastic:
         panel.axvline(case.interface_y, color="grey", linewidth=0.5)
-    panel.set(xlabel=r"$y/h$", xlim=(0, budget.y[-1]), title=f"{case.name}\nsum {100 * budget.closure()[0]:.1f} % of production")
+    local, _ = budget.closure()
+    rest = "no production" if math.isnan(local) else f"sum {100 * local:.1f} % of production"
+    panel.set(xlabel=r"$y/h$", xlim=(0, budget.y[-1]), title=f"{case.name}\n{rest}")
 
 
 def main():

@@ -79,7 +79,9 @@ def plot_indicator(axes, case):
 
 def main():
     options = arguments(__doc__, lambda parser: parser.add_argument("--case", help="label of the case of panel (b)"))
-    cases = read_campaign(options)
+    cases = [case for case in read_campaign(options) if not math.isnan(case.u_tau)]
+    if not cases:
+        raise SystemExit("no mean flow that the elastic wall drags on: average for longer")
     figure, (profiles, indicator) = plt.subplots(1, 2, figsize=(11, 4.5), layout="constrained")
     plot_profiles(profiles, cases)
     plot_indicator(indicator, choose_case(cases, options.case))

@@ -36,8 +36,10 @@ def draw_plane(panel, case, moment, yt):
 
 def main():
     options = arguments(__doc__)
-    moments = [(case, newest(case)) for case in read_campaign(options)]
-    moments = [(case, moment) for case, moment in moments if moment is not None and not math.isnan(case.u_tau)]
+    cases = [case for case in read_campaign(options) if not math.isnan(case.u_tau)]
+    if not cases:
+        raise SystemExit("no mean flow that the elastic wall drags on: average for longer")
+    moments = [(case, moment) for case in cases if (moment := newest(case)) is not None]
     if not moments:
         raise SystemExit("no case has a snapshot or a checkpoint")
     figure, rows = plt.subplots(len(moments), 2, figsize=(11, 2.8 * len(moments) + 0.6), layout="constrained", squeeze=False)

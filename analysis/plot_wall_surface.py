@@ -6,7 +6,7 @@ from campaign_data import arguments, grids_of, plt, read_campaign, save
 from flow_fields import newest
 
 import numpy as np
-from matplotlib import cm, colors
+from matplotlib import cm, colors, ticker
 
 CELLS = 72  # along x of a drawn surface
 HEIGHT_RANGE = 0.13  # h, the paper's colour scale
@@ -78,7 +78,7 @@ def main():
     for left, scale, words in ((0.07, HEIGHT_RANGE, r"$\eta-2h$, $h$"), (0.4, pressure_range, r"$p-\bar{p}$, $\rho U_b^2$")):
         shades = cm.ScalarMappable(colors.Normalize(-scale, scale), cm.RdBu_r)
         place = figure.add_axes((left, 0.6 * FOOT / height, 0.2, 0.12 / height))
-        figure.colorbar(shades, cax=place, orientation="horizontal", label=words)
+        figure.colorbar(shades, cax=place, orientation="horizontal", label=words, ticks=ticker.MaxNLocator(4))
     grids = grids_of(case for case, _ in moments)
     save(figure, options, __file__, f"Grid {grids}. The flow goes to the right; the fluid lies below the surface. "
                                     "Proportions are true; the scale of the heights is the paper's.")

@@ -78,7 +78,11 @@ class Spectra:
 
 
 def show_decades(panel, drawn):
-    """Logarithmic axes for these spectra, down to their smallest value but not further than MOST_DECADES."""
+    """Logarithmic axes for these spectra, down to their smallest value but not further than MOST_DECADES. A direction of one
+    cell has none, and its panel stays empty."""
+    drawn = [E for E in drawn if E.size]
+    if not drawn:
+        return
     largest = max(E.max() for E in drawn)
     smallest = min((E[E > 0].min() for E in drawn if (E > 0).any()), default=largest)
     panel.set(xscale="log", yscale="log", ylim=(max(smallest / 2, largest / 10**MOST_DECADES), 3 * largest))
