@@ -13,6 +13,7 @@ import math
 import pathlib
 import sqlite3
 import sys
+import textwrap
 
 import packages
 
@@ -85,6 +86,7 @@ class Case:
         self.results = results.get(directory.name, {})
         self.physics = physics
         self.colour, self.style, self.varied = "black", "-", {}
+        self.marker = None  # where cases differ in more than G and the viscosity ratio
         if start is None or not self.elastic and self.results.get("is_precursor"):
             start = self.results.get("window_start")
         self._read_statistics(-math.inf if start is None else start)
@@ -254,9 +256,13 @@ def name_what_varies(cases):
         varying = [name for name in names if len({json.dumps(one.get(name)) for one in all_of}) > 1]
         combinations = sorted({_in_order(one, varying) for one in all_of})
         for case, one in zip(kind, all_of):
-            case.varied = {name.rpartition(".")[2]: one[name] for name in varying if name in one}
+            others = [name for name in varying if name in one and not name.startswith("grid.")]
+            case.varied = {name.rpartition(".")[2]: one[name] for name in others}
+            if len(others) < len(varying):
+                case.varied = {"on": case.grid, **case.varied}
             if varying:
-                case.style += MARKERS[combinations.index(_in_order(one, varying)) % len(MARKERS)]
+                case.marker = MARKERS[combinations.index(_in_order(one, varying)) % len(MARKERS)]
+                case.style += case.marker
 
 
 def _choose_styles(cases):
@@ -368,7 +374,9 @@ def save(figure, options, script, text):
     name = pathlib.Path(script).stem.removeprefix("plot_") + ".png"
     output = pathlib.Path(options.output) if options.output else pathlib.Path(options.campaign) / name
     if not options.no_caption:
-        figure.text(0.5, -0.01, text, ha="center", va="top", fontsize=8, wrap=True)
+        characters = int(22 * figure.get_figwidth())  # of this size
+        lines = [line for part in text.splitlines() for line in textwrap.wrap(part, characters)]
+        figure.text(0.5, -0.01, "\n".join(lines), ha="center", va="top", fontsize=8)
     figure.savefig(output, bbox_inches="tight")
     plt.close(figure)
     print(output)

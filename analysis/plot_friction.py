@@ -10,10 +10,11 @@ from campaign_data import LABEL_G, arguments, caption, line_of, plt, read_campai
 
 WALLS = ("re_tau", "re_tau_w")  # upper wall: full symbols; bottom wall: open ones
 WAVELENGTHS = (0.75, 1, 1.5)  # among which the first wave to grow is found at thicknesses near 0.5, h
+RIGID_LINES = ("-", "--", "-.", ":")  # of one on each grid
 
 
 def marker_of(case):
-    return "o" if case.ratio == 1 else ("v" if case.ratio < 1 else "^")
+    return case.marker or ("o" if case.ratio == 1 else ("v" if case.ratio < 1 else "^"))
 
 
 def plot_paper(axes):
@@ -39,14 +40,17 @@ def plot_elastic(axes, case):
 
 
 def plot_campaign(axes, cases):
+    rigid = 0
     for case in cases:
         if math.isnan(case.result("re_tau")):
             continue
         if case.elastic:
             plot_elastic(axes, case)
         else:
-            value = case.result("re_tau")
-            axes.axhline(value, color="black", linewidth=0.7, label=f"rigid channel, {value:.1f}")
+            value, line = case.result("re_tau"), RIGID_LINES[rigid % len(RIGID_LINES)]
+            rigid += 1
+            on = f" on {case.grid}" if case.varied else ""
+            axes.axhline(value, color="black", linewidth=0.7, linestyle=line, label=f"rigid channel{on}, {value:.1f}")
 
 
 def plot_onset(axes, cases):

@@ -29,10 +29,14 @@ def error_bar(panel, x, y, case, *, x_width=None, y_width=None, marker="o", labe
 
 
 def plot_softness(panel, cases):
-    """The lines join the walls whose viscosity is the fluid's."""
+    """The lines join the walls whose viscosity is the fluid's, those that differ in G alone."""
+    families = [case.varied for case in cases if case.ratio == 1]
+    families = [varied for n, varied in enumerate(families) if varied not in families[:n]]
     for name, line, marker in COMPONENTS:
-        joined = [(1 / case.G, at_interface(case, name)) for case in cases if case.ratio == 1]
-        panel.plot(*np.array(sorted(joined)).reshape(-1, 2).T, line, color="black", linewidth=0.9, label=f"${name}'$")
+        for n, varied in enumerate(families):
+            joined = [(1 / case.G, at_interface(case, name)) for case in cases if case.ratio == 1 and case.varied == varied]
+            panel.plot(*np.array(sorted(joined)).reshape(-1, 2).T, line, color="black", linewidth=0.9 / (1 + n),
+                       label=f"${name}'$" if n == 0 else None)
         for case in cases:
             error_bar(panel, 1 / case.G, at_interface(case, name), case, marker=marker,
                       y_width=batches.half_width(case, lambda each: at_interface(each, name)))
