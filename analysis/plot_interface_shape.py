@@ -17,12 +17,12 @@ def spectrum(spectra, axis):
 
 
 def density(spectra):
-    """Deviation over its rms and density times the rms, in the bins; skewness and flatness."""
+    """Deviation over its rms and density times the rms, in the bins; skewness and flatness. NaN of a flat interface."""
     variance, third, fourth = (spectra.interface.mean(f"eta{n}") for n in (2, 3, 4))
-    rms = np.sqrt(variance)
+    rms = np.sqrt(variance) or np.nan
     edges = spectra.bin_edges / rms
     return ((edges[1:] + edges[:-1]) / 2, spectra.interface.mean("share") / np.diff(edges),
-            third / rms**3, fourth / variance**2)
+            third / rms**3, fourth / rms**4)
 
 
 def draw_spectra(panels, found):
