@@ -46,7 +46,8 @@ TEST(DiskNeed, CountsTheMomentsOfFilms) {
   EXPECT_DOUBLE_EQ(need.film_bytes, 4 * 11 * (48.0 * 48 * 4));  // no plane is asked for: the interface
   EXPECT_DOUBLE_EQ(need.bytes(), need.checkpoint_bytes + need.film_bytes);
   document["run"]["planes"]["z"] = {0.5};
-  EXPECT_DOUBLE_EQ(need_of(tests::campaign_of(document)).film_bytes, 4 * 11 * (48.0 * 48 + 5 * (32 * 80)) * 4);
+  EXPECT_DOUBLE_EQ(need_of(tests::campaign_of(document)).film_bytes,
+                   4 * 11 * (48.0 * 48 + 5 * (32 * 80)) * 4);
 }
 
 TEST(DiskNeed, IsToldInWords) {
