@@ -322,9 +322,23 @@ class Figures(unittest.TestCase):
                        "cases = read_campaign(argparse.Namespace(campaign=sys.argv[2], start=None))\n"
                        "print([case.name for case in cases if case.G == 0.7], len({c.style for c in cases if c.G == 0.7}))")
             done = subprocess.run([sys.executable, "-c", program, ROOT / "analysis", folder], capture_output=True, text=True)
-            for words in ("nx 48", "nx 96", "nx 144"):
+            for words in ("on 48x", "on 96x", "on 144x"):
                 self.assertIn(words, done.stdout, done.stderr)
             self.assertTrue(done.stdout.endswith("] 3\n"), done.stdout)
+
+    def test_a_script_that_fails_costs_no_other_figure(self):
+        program = ("import sys, argparse, pathlib; sys.path.insert(0, sys.argv[1]); import figures\n"
+                   "folder = pathlib.Path(sys.argv[3])\n"
+                   "(folder / 'bad.py').write_text('raise ValueError(1)')\n"
+                   "figures.FIGURES = {'bad': (folder / 'bad.py',), 'friction': figures.FIGURES['friction']}\n"
+                   "options = argparse.Namespace(campaign=sys.argv[2], output=folder, format='png', start=None, no_caption=False,\n"
+                   "                             style='screen')\n"
+                   "drawn, reasons = figures.draw_all(options)\n"
+                   "print(list(drawn), reasons)")
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([sys.executable, "-c", program, ROOT / "analysis", self.campaign, folder],
+                                  capture_output=True, text=True)
+            self.assertIn("['friction'] {'bad': 'ValueError: 1'}", done.stdout, done.stderr)
 
     def test_log_law_of_a_very_soft_wall_is_drawn_without_plateau(self):
         """d+ = -30: points at or below the log law's origin are left out, its fit is drawn."""

@@ -45,9 +45,9 @@ TEST(DiskNeed, CountsTheMomentsOfFilms) {
   EXPECT_EQ(need.film_moments, 4 * 11);
   EXPECT_DOUBLE_EQ(need.film_bytes, 4 * 11 * (48.0 * 48 * 4));  // no plane is asked for: the interface
   EXPECT_DOUBLE_EQ(need.bytes(), need.checkpoint_bytes + need.film_bytes);
-  document["run"]["planes"]["z"] = {0.5};
-  EXPECT_DOUBLE_EQ(need_of(tests::campaign_of(document)).film_bytes,
-                   4 * 11 * (48.0 * 48 + 5 * (32 * 80)) * 4);
+  document["run"]["planes"]["z"] = {0.5};  // the precursor films the same plane, at 0, 5 .. 100
+  const double of_walls = 4 * 11 * (48.0 * 48 + 5 * (48 * 80)) * 4, of_precursor = 21 * (4 * (32.0 * 64)) * 4;
+  EXPECT_DOUBLE_EQ(need_of(tests::campaign_of(document)).film_bytes, of_walls + of_precursor);
 }
 
 TEST(DiskNeed, IsToldInWords) {
