@@ -113,7 +113,7 @@ class RealUse(EndToEndTest):
         plan = campaign.call("plan")
         self.assertEqual(plan.returncode, 0, plan.stderr)
         self.assertRegex(plan.stdout, r"On 1 core of this machine: about .*; memory .* of .* GB; "
-                                      r"disk for checkpoints \S+ GB and 11 snapshots \S+ GB, free")
+                                      r"disk for checkpoints \S+ GB, 11 snapshots \S+ GB, free")
         self.run_to_end(campaign)
         self.assertEqual(len(list(campaign.folder.glob("cases/*/fields/fields-*.h5"))), 11)
         self.assertIn("disk for checkpoints 0 GB, free", campaign.call("plan").stdout)
