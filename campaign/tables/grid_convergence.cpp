@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "campaign/store/text_width.hpp"
+#include "campaign/tables/comparison.hpp"
 #include "campaign/tables/page.hpp"
 
 namespace softwall::campaign {
