@@ -295,6 +295,14 @@ def read_campaign(options):
     return cases
 
 
+def with_friction(cases):
+    """Those whose upper wall the mean flow drags on; ends the script where none is: its mean is of too short a window."""
+    found = [case for case in cases if not math.isnan(case.u_tau)]
+    if not found:
+        sys.exit("no mean flow that the elastic wall drags on: average for longer")
+    return found
+
+
 def case_called(name, cases):
     """The case with this label, or in the folder of this name; the program ends where there is none."""
     found = [case for case in cases if name in (case.label, case.directory.name)]

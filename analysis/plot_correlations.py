@@ -59,10 +59,6 @@ def source_of(case):
     return FromMoments(case, moments) if moments else None
 
 
-def columns_of(case, axis):
-    return int(case.grid.replace("+", "x").split("x")[0 if axis == "x" else -1])
-
-
 def draw(panel, source, name, axis):
     case, (y, rows) = source.case, source.rows(name, axis)
     length = case.box["xz".index(axis)]
@@ -81,7 +77,7 @@ def draw(panel, source, name, axis):
 
 def main():
     options = arguments(__doc__, lambda parser: parser.add_argument("--axis", choices=AXES, default="x"))
-    found = [source for case in read_campaign(options) if columns_of(case, options.axis) > 1 and (source := source_of(case))]
+    found = [source for case in read_campaign(options) if case.physics["grid"]["n" + options.axis] > 1 and (source := source_of(case))]
     if not found:
         raise SystemExit("no case has spectra, a snapshot or a checkpoint")
     figure, rows = plt.subplots(3, len(found), figsize=(2.6 * len(found) + 1.5, 7.5), layout="constrained", squeeze=False,

@@ -3,7 +3,7 @@
 
 import math
 
-from campaign_data import arguments, caption, case_called, plt, read_campaign, save
+from campaign_data import arguments, caption, case_called, plt, read_campaign, save, with_friction
 
 import numpy as np
 
@@ -79,9 +79,7 @@ def plot_indicator(axes, case):
 
 def main():
     options = arguments(__doc__, lambda parser: parser.add_argument("--case", help="label of the case of panel (b)"))
-    cases = [case for case in read_campaign(options) if not math.isnan(case.u_tau)]
-    if not cases:
-        raise SystemExit("no mean flow that the elastic wall drags on: average for longer")
+    cases = with_friction(read_campaign(options))
     figure, (profiles, indicator) = plt.subplots(1, 2, figsize=(11, 4.5), layout="constrained")
     plot_profiles(profiles, cases)
     plot_indicator(indicator, choose_case(cases, options.case))

@@ -4,7 +4,7 @@
 
 import math
 
-from campaign_data import arguments, grids_of, levels_within, plt, read_campaign, save
+from campaign_data import arguments, grids_of, levels_within, plt, read_campaign, save, with_friction
 from flow_fields import newest
 
 import numpy as np
@@ -36,9 +36,7 @@ def draw_plane(panel, case, moment, yt):
 
 def main():
     options = arguments(__doc__)
-    cases = [case for case in read_campaign(options) if not math.isnan(case.u_tau)]
-    if not cases:
-        raise SystemExit("no mean flow that the elastic wall drags on: average for longer")
+    cases = with_friction(read_campaign(options))
     moments = [(case, moment) for case in cases if (moment := newest(case)) is not None]
     if not moments:
         raise SystemExit("no case has a snapshot or a checkpoint")

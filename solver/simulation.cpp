@@ -299,7 +299,8 @@ std::map<std::string, double> Simulation::diagnostics() {
   const double limited = record_.limited_cells + limited_cells() - limited_before_;
   all["limited_cells"] = limited;
   const double counted_steps = static_cast<double>(state_.step) - record_.limited_since_step;
-  if (counted_steps > 0) all["limited_share"] = limited / (counted_steps * health.solid_cells);
+  if (counted_steps > 0)
+    all["limited_share"] = limited / (counted_steps * statistics::solid_cells(state_, setup_));
   return all;
 }
 

@@ -106,8 +106,11 @@ SolidHealth solid_health(const time::State& state, const time::Setup& setup) {
   const double* dy = g.dy.exact();
   const double volume_over_area = sum_of(m.phi, g, setup.decomposition, [dy](int j) { return dy[j]; });
   return {parallel::minimum(all, here.min_eigenvalue), parallel::maximum(all, here.max_det_error),
-          width_of(m, setup), g.dx * g.dz * volume_over_area,
-          sum_of(m.phi, g, setup.decomposition, [](int) { return 1.0; })};
+          width_of(m, setup), g.dx * g.dz * volume_over_area};
+}
+
+double solid_cells(const time::State& state, const time::Setup& setup) {
+  return sum_of(state.material.phi, setup.grid, setup.decomposition, [](int) { return 1.0; });
 }
 
 }  // namespace softwall::statistics

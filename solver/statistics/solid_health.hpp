@@ -14,11 +14,13 @@ struct SolidHealth {
                                      ///< or, in a closed box, along the outline (body.hpp)
   double solid_volume = 0;           ///< sum of phi dV over the box, h^3; constant to round-off
                                      ///< with transported B
-  double solid_cells = 0;            ///< sum of phi: how many cells the solid would fill
 };
 
 /// Health of the solid, the same on all ranks. Collective; ghost cells of B filled (after time::start or a
 /// step). A rigid channel has no solid and gets the values above.
 [[nodiscard]] SolidHealth solid_health(const time::State& state, const time::Setup& setup);
+
+/// Sum of phi: how many cells the solid would fill. Collective.
+[[nodiscard]] double solid_cells(const time::State& state, const time::Setup& setup);
 
 }  // namespace softwall::statistics

@@ -19,7 +19,7 @@ TEST(SolidHealth, OfALayerAtRest) {
   EXPECT_NEAR(health.interface_width_cells, 0.8, 1e-13);
   EXPECT_NEAR(health.solid_volume, 0.5 * 4 * 3, 1e-13);
   const auto& g = setup.grid;
-  EXPECT_NEAR(health.solid_cells, double(g.nx_global) * (g.ny - g.ny_fluid) * g.nz_global, 1e-9);
+  EXPECT_NEAR(solid_cells(s, setup), double(g.nx_global) * (g.ny - g.ny_fluid) * g.nz_global, 1e-9);
 }
 
 TEST(SolidHealth, OfASimpleShearIsKnown) {
