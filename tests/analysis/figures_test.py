@@ -9,7 +9,6 @@ import csv
 import io
 import json
 import math
-import os
 import pathlib
 import re
 import runpy
@@ -369,31 +368,6 @@ class Figures(unittest.TestCase):
                     self.assertEqual(done.returncode, 1)
                     self.assertRegex(done.stderr, "has (statistics|left snapshots) yet")
                     self.assertNotIn("Traceback", done.stderr)
-
-    def test_a_report_goes_to_what_is_named(self):
-        import report
-
-        with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name)
-            new, link, kept, other = (folder / each for each in ("new.html", "link.html", "kept.html", "other name"))
-            link.symlink_to("new.html")
-            kept.write_text("old")
-            kept.chmod(0o640)
-            os.link(kept, other)
-            for file in (new, link, kept):
-                report.write_whole(file, f"to {file.name}")
-            self.assertTrue(link.is_symlink())
-            self.assertEqual((new.read_text(), other.read_text()), ("to link.html", "to kept.html"))
-            self.assertEqual(kept.stat().st_mode & 0o777, 0o640)
-            os.mkfifo(folder / "pipe")
-            reader = os.open(folder / "pipe", os.O_RDONLY | os.O_NONBLOCK)
-            report.write_whole(folder / "pipe", "through")
-            self.assertEqual(os.read(reader, 100), b"through")
-            os.close(reader)
-            with self.assertRaisesRegex(SystemExit, "cannot write: Is a directory"):
-                report.write_whole(folder, "nowhere")
-            self.assertEqual(sorted(path.name for path in folder.iterdir()), sorted((
-                "new.html", "link.html", "kept.html", "other name", "pipe")))
 
     def test_log_law_refuses_an_unknown_case(self):
         script = ROOT / "analysis" / "plot_log_law.py"
