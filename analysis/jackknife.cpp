@@ -13,11 +13,13 @@
 namespace softwall::analysis {
 namespace {
 
-// Blocks are merged into fewer and fewer batches until those of a quantity are hardly correlated. More than
-// 64 would sharpen Student's t no further.
+// Blocks are merged into fewer and fewer batches until those of a quantity are hardly correlated; where none
+// are, the widest interval that any number of batches gives. (Trusting the fewest batches alone refused more
+// intervals and covered less: the correlation of 8 numbers is hardly known, and is small by chance where the
+// numbers lie close together.) More than 64 batches would sharpen Student's t no further.
 constexpr std::array<int, 7> kBatchCounts = {64, 48, 32, 24, 16, 12, kLeastBatches};
 constexpr double kCorrelationAllowed = 0.2;  // stop merging below this lag-1 correlation
-constexpr double kCorrelationRefused = 0.6;  // the window holds too few independent batches to say anything
+constexpr double kCorrelationRefused = 0.6;  // these batches are too correlated to say anything
 constexpr double kCorrelationCaution = 0.3;  // times its standard error 1/sqrt(g), added before inflating
 constexpr double kLeastDegrees = 3.0;
 
@@ -101,6 +103,34 @@ bool all_finite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
+/// What one number of batches says of a quantity.
+struct Finding {
+  Interval interval;
+  bool is_settled = false;  ///< hardly correlated: fewer batches are not asked
+};
+
+Finding find(const std::vector<double>& pseudo, const std::vector<double>& share) {
+  Finding finding{{{}, static_cast<int>(share.size()), ""}};
+  if (!all_finite(pseudo)) {
+    finding.interval.reason = "not defined when a part of the window is left out";
+    return finding;
+  }
+  const double correlation = lag_one(pseudo);
+  if (finding.interval.batches < kLeastBatches || correlation > kCorrelationRefused) {
+    finding.interval.reason = "parts of the window still correlated: average for longer";
+    return finding;
+  }
+  finding.interval.ci95 = half_width(pseudo, share, correlation);
+  finding.is_settled = correlation < kCorrelationAllowed;
+  return finding;
+}
+
+/// Whether the finding takes the place of what more batches have said.
+bool supersedes(const Finding& finding, const Interval& before) {
+  if (!before.ci95 || finding.is_settled) return true;
+  return finding.interval.ci95 && *finding.interval.ci95 > *before.ci95;
+}
+
 Interval too_short(int blocks) {
   return {{},
           0,
@@ -114,8 +144,8 @@ std::vector<Interval> jackknife(const std::vector<double>& weights, const Estima
   const std::vector<double> full = estimate(weights);
   const int blocks =
       static_cast<int>(std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }));
-  std::vector<Interval> intervals(full.size());
   if (blocks < kLeastBatches) return std::vector<Interval>(full.size(), too_short(blocks));
+  std::vector<Interval> intervals(full.size());
   std::vector<bool> settled(full.size(), false);
   int previous = 0;
   for (const int wanted : kBatchCounts) {
@@ -125,17 +155,9 @@ std::vector<Interval> jackknife(const std::vector<double>& weights, const Estima
     const Batches batches = pseudo_values(weights, full, estimate, count);
     for (std::size_t q = 0; q < full.size(); ++q) {
       if (settled[q]) continue;
-      Interval interval{{}, static_cast<int>(batches.share.size()), ""};
-      if (!all_finite(batches.pseudo[q])) {
-        interval.reason = "not defined when a part of the window is left out";
-      } else if (const double correlation = lag_one(batches.pseudo[q]);
-                 interval.batches < kLeastBatches || correlation > kCorrelationRefused) {
-        interval.reason = "parts of the window still correlated: average for longer";
-      } else {
-        interval.ci95 = half_width(batches.pseudo[q], batches.share, correlation);
-        settled[q] = correlation < kCorrelationAllowed;
-      }
-      intervals[q] = interval;
+      const Finding finding = find(batches.pseudo[q], batches.share);
+      if (supersedes(finding, intervals[q])) intervals[q] = finding.interval;
+      settled[q] = finding.is_settled;
     }
   }
   return intervals;

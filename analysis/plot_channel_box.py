@@ -19,10 +19,10 @@ def box_text(case):
 def row(channel):
     """One line of the table: the box, the cells, Re_tau and the peaks."""
     cells = [box_text(channel.case), channel.case.grid]
-    cells.append(f"{channel.values['re_tau']:.1f} +- {channel.ci95['re_tau']:.1f}")
+    cells.append(batches.text(channel.values["re_tau"], channel.ci95["re_tau"], 1))
     for name in COLUMNS:
         _, height, interval = peak_of(channel, channel.y_plus, name)
-        cells.append(f"{height:.3f} +- {interval:.3f}")
+        cells.append(batches.text(height, interval, 3))
     return "| " + " | ".join(cells) + " |"
 
 

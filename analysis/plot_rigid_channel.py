@@ -134,7 +134,7 @@ def correlations_of(case, y_plus_per_h):
 def compare(channel, reference):
     """Prints every number with a bar."""
     values, ci95 = channel.values, channel.ci95
-    print(f"Re_tau {values['re_tau']:.2f} +- {ci95['re_tau']:.2f} (Moser et al. scaled to this bulk Reynolds number: 178.5)")
+    print(f"Re_tau {batches.text(values['re_tau'], ci95['re_tau'], 2)} (Moser et al. scaled to this bulk Reynolds number: 178.5)")
     judge("abs(Re_tau - 178.5)", abs(values["re_tau"] - 178.5), 1.5)
     expected = np.interp(channel.y_plus, reference["y_plus"], reference["U_plus"])
     judge("U+, largest relative difference", max(abs(values["u"] / expected - 1)), 0.015)
@@ -142,13 +142,13 @@ def compare(channel, reference):
         compare_peak(name, channel, channel.y_plus, (reference["y_plus"], reference[column]), bar)
     compare_peak("-uv", channel, channel.y_plus_face, (reference["y_plus"], -reference["uv_plus"]), 0.02)
     judge("total stress, largest departure from a line / u_tau^2", max(abs(values["departure"])), 0.01)
-    print(f"U_c / U_b {values['u_max']:.4f} +- {ci95['u_max']:.4f}")
+    print(f"U_c / U_b {batches.text(values['u_max'], ci95['u_max'], 4)}")
 
 
 def compare_peak(name, channel, y_plus, theirs, bar):
     at, height, interval = peak_of(channel, y_plus, name)
     expected_at, expected = peak(*theirs)
-    print(f"{name}+ peak {height:.3f} +- {interval:.3f} at y+ {at:.1f} (Moser et al.: {expected:.3f} at {expected_at:.1f})")
+    print(f"{name}+ peak {batches.text(height, interval, 3)} at y+ {at:.1f} (Moser et al.: {expected:.3f} at {expected_at:.1f})")
     judge(f"{name}+ peak, relative difference", abs(height / expected - 1), bar)
 
 
