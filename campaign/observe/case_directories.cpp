@@ -42,6 +42,10 @@ ExistingCases existing_cases(const Campaign& campaign, const std::filesystem::pa
   const auto has_directory = [&](const std::string& each) { return directories.contains(each); };
   ExistingCases existing;
   if (std::ranges::all_of(digits, has_directory)) return existing;
+  for (const CampaignCase& one : campaign.cases) {
+    if (has_directory(one.definition.id.substr(0, kIdDigits)))
+      existing.add(to_json(one.definition).at("physics"));
+  }
   for (const std::string& directory : directories_of_others(directories, digits)) {
     try {
       existing.add(to_json(read_case(RunFiles{folder / directory}.case_file())).at("physics"));

@@ -18,8 +18,8 @@ using CaseDirectories = std::unordered_multimap<std::string, std::string>;
 /// Every run directory that is there.
 [[nodiscard]] CaseDirectories existing_directories(const std::filesystem::path& folder);
 
-/// The cases in those run directories that belong to no case of the campaign as it reads by itself. Empty
-/// also when every case of the campaign has its directory. Those without a readable case file are left out.
+/// The cases that have those run directories: the campaign's own, as it reads by itself, which nothing may
+/// displace, and all others with a readable case file. Empty when every case of the campaign has its directory.
 [[nodiscard]] ExistingCases existing_cases(const Campaign& campaign, const std::filesystem::path& folder,
                                            const CaseDirectories& directories);
 

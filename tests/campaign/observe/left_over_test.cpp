@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "campaign/observe/history.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_directory.hpp"
@@ -49,6 +51,22 @@ TEST_F(LeftOverTest, CasesThatLeftTheSweepAreFoundWithTheirPrecursor) {
   for (std::size_t i = 1; i < left.size(); ++i) EXPECT_FALSE(left[i].is_precursor);
   EXPECT_EQ(why_left_over(left[0], now), "like precursor, but reynolds 2800 instead of 3000");
   EXPECT_NE(why_left_over(left[1], now).find("another precursor"), std::string::npos);
+}
+
+/// Cases of an attempt at other steps or blocks lie beside the finished ones when the sweep grows.
+TEST_F(LeftOverTest, AbandonedVariantsDisplaceNoCaseOfTheCampaign) {
+  auto other_steps = document_, other_blocks = document_, longer_sweep = document_;
+  other_steps["physics"]["solid"]["dt_plus"] = 0.2;
+  other_blocks["physics"]["statistics"]["block_length"] = 0.5;
+  longer_sweep["sweep"]["grid"]["G"].push_back(4.5);
+  prepare(other_steps);
+  prepare(other_blocks);
+  const Campaign before = tests::campaign_of(document_), alone = tests::campaign_of(longer_sweep);
+  const ExistingCases existing = existing_cases(alone, folder_.path(), existing_directories(folder_.path()));
+  std::set<std::string> ids;
+  for (const auto& one : parse_campaign(longer_sweep.dump(), existing).cases) ids.insert(one.definition.id);
+  for (const auto& one : before.cases) EXPECT_TRUE(ids.contains(one.definition.id)) << one.definition.label;
+  EXPECT_GT(ids.size(), before.cases.size());
 }
 
 /// A case that started others of the sweep is no precursor, and its end time is a part of them.
