@@ -144,7 +144,7 @@ void print_text(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
   double core_hours = 0;
   for (const auto& [one, decision, cost, minutes] : planned.cases) {
     ++counts[to_string(decision.outlook)];
-    core_hours += cost.core_hours;
+    if (decision.outlook != Outlook::kBlocked) core_hours += cost.core_hours;
     table.rows.push_back({one->definition.label, to_string(decision.outlook), decision.reason,
                           std::int64_t{one->ranks}, whole_number(cost.cells), whole_number(cost.steps),
                           short_number(cost.core_hours)});

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "campaign/core/estimate.hpp"
+#include "campaign/core/plan.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -19,8 +20,9 @@ double wall_seconds_left(const Status& status, double end_time) {
   return std::max(0.0, end_time - status.time) / status.dt * status.seconds_per_step;
 }
 
-bool costs_nothing(const Observation& seen) {
-  return seen.state == CaseState::kFinished || seen.state == CaseState::kDiverged || !seen.retry_allowed;
+/// Of a case that is done, or that will not run unless somebody does something about it.
+bool costs_nothing(const Decision& decision) {
+  return decision.outlook == Outlook::kKept || decision.outlook == Outlook::kBlocked;
 }
 
 }  // namespace
@@ -49,13 +51,14 @@ std::optional<double> measured_seconds_left(const Observation& seen) {
 double remaining_seconds(const Campaign& campaign, const std::vector<Observation>& observations,
                          const std::map<std::string, Status>& working, int cores) {
   const MeasuredSpeed speed(campaign, observations);
+  const std::vector<Decision> decisions = decide(campaign, observations);
   double before = 0;   // precursors: everything else waits for them
   double longest = 0;  // no case can be split, nor begin before the one that it starts from has ended
   std::unordered_map<std::string, double> ends;  // of those that are no precursors, by case id
   double core_seconds = 0;
   for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
     const CampaignCase& one = campaign.cases[i];
-    if (costs_nothing(observations[i])) continue;
+    if (costs_nothing(decisions[i])) continue;
     const auto status = working.find(one.definition.id);
     double seconds =
         status == working.end() ? 0 : wall_seconds_left(status->second, one.definition.run.end_time);

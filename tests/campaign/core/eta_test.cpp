@@ -50,6 +50,14 @@ TEST_F(Eta, OfALineIsAllOfItsCasesHoweverManyCoresThereAre) {
   EXPECT_NEAR(left(1000), seconds_of(0) + line, 1e-6 * line);
 }
 
+TEST_F(Eta, CountsNothingForWhatWaitsForSomebody) {
+  seen_[0].attempts_without_progress = 2;  // the precursor: nothing starts without it
+  EXPECT_EQ(left(1), 0);
+  seen_[0].attempts_without_progress = 0;
+  seen_[0].needs_person = "its checkpoints cannot be read";
+  EXPECT_EQ(left(1), 0);
+}
+
 TEST_F(Eta, CountsNothingForWhatIsFinishedDivergedOrRefused) {
   seen_[0].state = CaseState::kFinished;
   seen_[1].state = CaseState::kDiverged;
