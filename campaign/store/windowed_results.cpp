@@ -7,6 +7,14 @@
 #include "solver/run_directory/statistics_file.hpp"
 
 namespace softwall::campaign {
+namespace {
+
+bool has_statistics(const RunFiles& run) {
+  std::error_code unreadable;
+  return std::filesystem::exists(run.statistics(), unreadable);
+}
+
+}  // namespace
 
 WindowedResults results_from(const std::filesystem::path& campaign_directory, double start) {
   WindowedResults results{Store::copy_in_memory(campaign_directory), {}};
@@ -14,9 +22,9 @@ WindowedResults results_from(const std::filesystem::path& campaign_directory, do
   window.window_start = start;
   Transaction together(results.store.connection());
   for (const auto& [id, one] : results.store.all_cases()) {
-    if (one.is_precursor || !results.store.result_origin(id)) continue;
+    const RunFiles run{campaign_directory / one.directory};
+    if (one.is_precursor || one.state == CaseState::kDiverged || !has_statistics(run)) continue;
     try {
-      const RunFiles run{campaign_directory / one.directory};
       const auto derived = analysis::derive(analysis::read_statistics(run.statistics()), window);
       results.store.record_result(id, derived, build_info().git_revision);
     } catch (const SqliteError&) {

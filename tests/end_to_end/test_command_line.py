@@ -141,6 +141,19 @@ class CommandLine(EndToEndTest):
         self.assertEqual(state, "interrupted")
         self.assertGreater(later, end)
 
+    def test_a_case_short_of_its_window_can_be_looked_at_from_an_earlier_time(self):
+        late = dict(RIGID["physics"], statistics=dict(RIGID["physics"]["statistics"], start_time=5e5))
+        campaign = self.campaign(changed(RIGID, physics=late, run={"end_time": 1e6, "checkpoint_steps": 100}))
+        runner = campaign.start()
+        campaign.wait_for(lambda: list(campaign.folder.glob("cases/*/statistics.h5")), "statistics")
+        runner.send_signal(2)
+        self.assertEqual(runner.wait(60), 4)
+        self.assertEqual(self.windows(campaign), [])
+        looked_at = campaign.call("query", "SELECT window_start, re_tau FROM results", "--json", "--from", "0.5")
+        (row,) = json.loads(looked_at.stdout)
+        self.assertEqual(row["window_start"], 0.5)
+        self.assertGreater(row["re_tau"], 0)
+
     def windows(self, campaign):
         answer = campaign.call("query", "SELECT state, window_end FROM results WHERE re_tau > 0", "--json")
         return [tuple(row.values()) for row in json.loads(answer.stdout)] if answer.returncode == 0 else []
