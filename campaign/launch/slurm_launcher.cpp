@@ -59,6 +59,12 @@ std::optional<std::string> number_in(const Answer& answer) {
   return answer.output.substr(0, digits);
 }
 
+/// A file that cannot be read just now is not missing.
+bool is_missing(const std::filesystem::path& file) {
+  std::error_code unreadable;
+  return std::filesystem::status(file, unreadable).type() == std::filesystem::file_type::not_found;
+}
+
 }  // namespace
 
 SlurmLauncher::SlurmLauncher(SlurmOptions options, SlurmPace pace)
@@ -93,12 +99,19 @@ Handle SlurmLauncher::start(const LaunchRequest& request) {
   keep_small(RunFiles{request.run_directory}.log());
   remove_pack_files(request.run_directory);
   rest_.forget(request.run_directory);
-  Job& job = jobs_[job_name(request)];
-  job = {request, {job_name(request), request.attempt, ""}, "", Stage::kWaiting, monotonic_seconds()};
+  const std::string name = job_name(request);
   write_atomically(job_script(request.run_directory),
                    script_text(request, options_, programs_, job_line("")));
-  submit_waiting(false);
-  return handle_of(job.record);
+  const auto at = jobs_.insert_or_assign(
+      name, Job{request, {name, request.attempt, ""}, "", Stage::kWaiting, monotonic_seconds()});
+  try {
+    submit_waiting(false);
+  } catch (...) {
+    if (at.first->second.stage == Stage::kWaiting)
+      jobs_.erase(at.first);  // the caller believes it never began
+    throw;
+  }
+  return handle_of(at.first->second.record);
 }
 
 bool SlurmLauncher::adopt(const LaunchRequest& request, const Handle& handle) {
@@ -322,7 +335,7 @@ std::vector<EndedAttempt> SlurmLauncher::ends_of(const std::vector<Job>& over) c
 Presence SlurmLauncher::presence_of(const std::filesystem::path& run_directory,
                                     const JobRecord& record) const {
   const auto name = job_in(run_directory, record.name);
-  if (!name) return Presence::kGone;  // seen before
+  if (!name) return is_missing(job_script(run_directory)) ? Presence::kGone : Presence::kUnknown;
   if (const auto own = jobs_.find(record.name); own != jobs_.end() && own->second.stage != Stage::kAccepted)
     return own->second.stage == Stage::kWaiting ? Presence::kQueued : Presence::kUnknown;
   if (name->empty()) return Presence::kGone;  // never submitted

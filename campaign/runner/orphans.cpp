@@ -77,7 +77,7 @@ bool end_orphans(const std::vector<WorkPlace>& places, Launcher& launcher, StopG
     for (Orphan& orphan : orphans) ask_to_end(orphan, launcher, at_least);
     signals.wait(std::chrono::milliseconds(100));
     const bool any_reached = std::ranges::any_of(orphans, &Orphan::reached);
-    if (signals.stop_requests() > 0 && !any_reached) return false;
+    if (signals.stop_requests() > 0 && (!any_reached || launcher.attempts_stay())) return false;
     std::erase_if(orphans, [&](const Orphan& orphan) {
       if (is_occupied(orphan.place.run, launcher)) return false;  // few of them are left
       tidy(orphan.place.run, launcher);
