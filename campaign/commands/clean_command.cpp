@@ -14,6 +14,12 @@
 namespace softwall::campaign {
 namespace {
 
+/// The store learns what belongs to the campaign now, for it may have been edited since the last run.
+void record_campaign(const LoadedCampaign& loaded) {
+  if (!std::filesystem::exists(store_path(loaded.folder))) return;
+  Store::open(loaded.folder, OpenMode::kReadWrite).record_campaign(loaded.campaign);
+}
+
 /// The store first: a row without a directory would be a result that nobody can look into.
 void remove(const LoadedCampaign& loaded, const LeftBehind& one) {
   const RunFiles run{loaded.folder / one.directory};
@@ -39,6 +45,7 @@ ExitStatus clean_campaign(const std::filesystem::path& path, bool really) {
   require_writable(loaded.folder);
   const CampaignLock lock(loaded.folder);
   const auto cases = left_behind(loaded);
+  if (!cases.empty()) record_campaign(loaded);
   for (const LeftBehind& one : cases) {
     remove(loaded, one);
     std::cout << "removed " << printable(one.directory) << "\n";

@@ -97,7 +97,7 @@ Count fill(Store& store, const LoadedCampaign& loaded, const std::vector<Campaig
     const Observation seen = observe(one, run, *launcher);
     import_history(store, one, run, seen);
     if (seen.state != CaseState::kFinished) {
-      if (seen.state != CaseState::kDiverged) count.results += import_result_so_far(store, one, run) ? 1 : 0;
+      count.results += import_result_so_far(store, one, run, seen.state) ? 1 : 0;
       continue;
     }
     try {
@@ -109,6 +109,7 @@ Count fill(Store& store, const LoadedCampaign& loaded, const std::vector<Campaig
       std::cerr << one.definition.label << ": no result: " << printable_lines(error.what()) << "\n";
     }
   }
+  store.mark_stale(build_info().version);
   together.commit();
   return count;
 }

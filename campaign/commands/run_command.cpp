@@ -68,8 +68,9 @@ void record_left_over(Store& store, const std::filesystem::path& folder,
   store.record_left_over(left);
   for (const CampaignCase& one : left) {
     const RunFiles run = run_files(folder, one);
-    import_history(store, one, run, observe(one, run, launcher));
-    import_result_so_far(store, one, run);
+    const Observation seen = observe(one, run, launcher);
+    import_history(store, one, run, seen);
+    import_result_so_far(store, one, run, seen.state);
   }
   together.commit();
 }

@@ -257,8 +257,8 @@ void Runner::record_state(const CampaignCase& one, const AttemptEnd& end) {
                                                                 : Progress::Kind::kBad);
   if (is_finished)
     deliver_result(one);
-  else if (end.outcome != AttemptOutcome::kDiverged)
-    import_result_so_far(store_, one, run);
+  else
+    import_result_so_far(store_, one, run, state);
 }
 
 void Runner::deliver_result(const CampaignCase& one) {

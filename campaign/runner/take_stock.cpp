@@ -8,6 +8,7 @@
 #include "campaign/store/import_results.hpp"
 #include "campaign/store/settled.hpp"
 #include "campaign/system/clock.hpp"
+#include "solver/run_directory/build_info.hpp"
 
 /// What the runner does before it starts anything.
 namespace softwall::campaign {
@@ -28,13 +29,14 @@ bool Runner::take_stock() {
     return false;
   }
   record_what_is_new();
+  store_.mark_stale(build_info().version);
   book_.look_at_starting_points();
   const auto origins = store_.result_origins();
   Transaction together(store_.connection());
   for (const CampaignCase& one : cases) {
     const CaseState state = book_.seen(one).state;
-    if (state == CaseState::kInterrupted || state == CaseState::kFailed)
-      import_result_so_far(store_, one, book_.files_of(one));
+    if (state == CaseState::kInterrupted || state == CaseState::kFailed || state == CaseState::kDiverged)
+      import_result_so_far(store_, one, book_.files_of(one), state);
     if (state != CaseState::kFinished) continue;
     const auto origin = origins.find(one.definition.id);
     if (origin == origins.end() || !is_recorded(origin->second, one, book_.files_of(one)))
@@ -77,6 +79,7 @@ void Runner::record_what_is_new() {
                           seen.back().state == CaseState::kFinished &&
                           known->second.attempts == seen.back().attempts &&
                           (!seen.back().early || known->second.state_reason == seen.back().reason);
+    if (is_known) import_checkpoints(store_, id, run);  // somebody may have removed old ones
     if (is_known || working_.contains(id)) continue;
     import_history(store_, one, run, seen.back());
     store_.forgive(id);  // whoever runs the campaign again asks for another try
@@ -105,7 +108,7 @@ bool Runner::adopt(const CampaignCase& one) {
   const std::string& id = one.definition.id;
   const RunFiles run = book_.files_of(one);
   const auto record = read_run_record(run);
-  if (!record || record->case_id != id || store_.attempts(id) != record->attempt) return false;
+  if (!record || record->case_id != id || store_.attempts(id) > record->attempt) return false;
   const Presence presence = launcher_.presence(run.directory, record->handle);
   if (presence == Presence::kGone) return false;
   const LaunchRequest request{.case_id = id,
@@ -114,6 +117,7 @@ bool Runner::adopt(const CampaignCase& one) {
                               .ranks = one.ranks,
                               .wall_seconds = book_.campaign().execution.walltime_seconds};
   if (!launcher_.adopt(request, record->handle)) return false;
+  import_running_attempt(store_, one, run, *record);
   AttemptWatch& watch = working_[id];
   watch.attempt = record->attempt;
   watch.ranks = one.ranks;

@@ -48,7 +48,7 @@ void Runner::import_on_the_way() {
     watch.imported_at = now;
     const CampaignCase& one = book_.find(id);
     const RunFiles run = book_.files_of(one);
-    import_result_so_far(store_, one, run);
+    import_result_so_far(store_, one, run, CaseState::kRunning);
     if (!watch.end && intervals_are_met(one, run)) end_early(one, watch, now);
   }
 }

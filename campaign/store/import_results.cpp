@@ -31,12 +31,14 @@ void close_open_attempts(Store& store, const CampaignCase& one, const RunFiles& 
   }
 }
 
-/// Writes the attempts of history.json into a store that was made again and knows none.
+/// Writes the attempts of history.json that the store does not know: it was lost, or a backup took its place.
 void restore_history(Store& store, const CampaignCase& one, const RunFiles& run) {
   const std::string& id = one.definition.id;
-  if (store.attempts(id) > 0) return;
-  for (const PastAttempt& past : read_history(run, id))
-    store.restore_attempt(id, past.attempt, past.start, past.end);
+  const auto known = store.past_attempts(id);
+  for (const PastAttempt& past : read_history(run, id)) {
+    if (std::ranges::find(known, past.attempt, &PastAttempt::attempt) == known.end())
+      store.restore_attempt(id, past.attempt, past.start, past.end);
+  }
 }
 
 /// The newest attempt in a run directory that the store does not know: the store was lost.
@@ -53,13 +55,6 @@ void restore_newest_attempt(Store& store, const CampaignCase& one, const RunFile
     start = {record->host, one.ranks, ""};
   }
   store.restore_attempt(id, newest, start, describe_end(one, run, newest));
-}
-
-/// Another version of the solver may compute other numbers; nothing is computed again unasked.
-std::string why_stale(const Summary& summary) {
-  const std::string now = build_info().version;
-  if (summary.version.empty() || summary.version == now) return "";
-  return "computed by version " + summary.version + ", this is " + now;
 }
 
 /// A time to the second, whether written with fractions or without.
@@ -93,6 +88,12 @@ bool record_if_new(Store& store, const std::string& case_id, const analysis::Der
   return true;
 }
 
+/// Of a case that has no average yet in the window wanted now.
+void remove_result_of_another_window(Store& store, const CampaignCase& one) {
+  const auto origin = store.result_origin(one.definition.id);
+  if (origin && origin->window_asked != one.window_start) store.remove_result(one.definition.id);
+}
+
 }  // namespace
 
 void import_checkpoints(Store& store, const std::string& case_id, const RunFiles& run) {
@@ -114,11 +115,17 @@ void import_history(Store& store, const CampaignCase& one, const RunFiles& run, 
   if (!seen.running) store.set_state(id, seen.state, seen.reason);
 }
 
+void import_running_attempt(Store& store, const CampaignCase& one, const RunFiles& run,
+                            const RunRecord& record) {
+  if (store.attempts(one.definition.id) >= record.attempt) return;
+  restore_history(store, one, run);
+  store.restore_open_attempt(one.definition.id, record.attempt, {record.host, one.ranks, ""}, record.handle);
+}
+
 bool import_result(Store& store, const CampaignCase& one, const RunFiles& run) {
   const std::string& id = one.definition.id;
   const auto summary = read_summary(run, id);
   if (!summary) throw std::runtime_error("there is no summary of this case in " + run.directory.string());
-  store.set_stale(id, why_stale(*summary));
   const auto statistics = analysis::read_statistics(run.statistics());
   if (!statistics.case_id.empty() && statistics.case_id != id) {
     throw std::runtime_error(run.statistics().string() + " belongs to another case, " + statistics.case_id);
@@ -128,9 +135,14 @@ bool import_result(Store& store, const CampaignCase& one, const RunFiles& run) {
                        [&](const ResultOrigin& origin) { return is_current(origin, derived, *summary); });
 }
 
-bool import_result_so_far(Store& store, const CampaignCase& one, const RunFiles& run) {
+bool import_result_so_far(Store& store, const CampaignCase& one, const RunFiles& run, CaseState state) {
   const std::string& id = one.definition.id;
+  if (state == CaseState::kDiverged) {
+    store.remove_result(id);
+    return false;
+  }
   const auto derived = averages_so_far(one, run);
+  if (!derived) remove_result_of_another_window(store, one);
   return derived && record_if_new(store, id, *derived, [&](const ResultOrigin& origin) {
            return is_same_window(origin, *derived);
          });

@@ -5,6 +5,7 @@
 #include "campaign/core/campaign.hpp"
 #include "campaign/store/store.hpp"
 #include "solver/run_directory/run_files.hpp"
+#include "solver/run_directory/run_record.hpp"
 
 /// Brings what run directories hold into the store. Every function may be repeated at any time: it leaves the
 /// same rows.
@@ -16,6 +17,11 @@ namespace softwall::campaign {
 void import_history(Store& store, const CampaignCase& campaign_case, const RunFiles& run,
                     const Observation& seen);
 
+/// Records the attempt that works in a run directory, or is queued for it, and those before it, if the store
+/// does not know it: it was lost, or a backup took its place.
+void import_running_attempt(Store& store, const CampaignCase& campaign_case, const RunFiles& run,
+                            const RunRecord& record);
+
 /// Records the checkpoints of a run directory. Where they cannot be read, the store keeps what it knows.
 void import_checkpoints(Store& store, const std::string& case_id, const RunFiles& run);
 
@@ -24,8 +30,10 @@ void import_checkpoints(Store& store, const std::string& case_id, const RunFiles
 bool import_result(Store& store, const CampaignCase& campaign_case, const RunFiles& run);
 
 /// The averages so far of a case that has not finished, unless the store has them already. False where there
-/// are none yet, or none that can be used. Throws SqliteError.
-bool import_result_so_far(Store& store, const CampaignCase& campaign_case, const RunFiles& run);
+/// are none yet, or none that can be used; averages over another window than the one wanted are then removed,
+/// and so are those of a flow that diverged. Throws SqliteError.
+bool import_result_so_far(Store& store, const CampaignCase& campaign_case, const RunFiles& run,
+                          CaseState state);
 
 /// True where nothing can have changed since the result was recorded, so that import_result() need not read
 /// the statistics. Asks the file system alone.

@@ -1,5 +1,7 @@
 #include "campaign/store/settled.hpp"
 
+#include <algorithm>
+
 #include "campaign/observe/observe.hpp"
 #include "campaign/store/import_results.hpp"
 #include "campaign/system/file_system.hpp"
@@ -11,8 +13,8 @@ bool is_settled(const CampaignCase& one, const CaseRecord& known, const RunFiles
   if (one.starts_others || known.state != CaseState::kFinished ||
       !has_reached(known.reached_time, one.definition.run.end_time))
     return false;
-  const std::string changed = change_time(run.directory);
-  return !changed.empty() && changed < known.state_since;
+  const std::string changed = change_time(run.directory), of_checkpoints = change_time(run.checkpoints());
+  return !changed.empty() && std::max(changed, of_checkpoints) < known.state_since;
 }
 
 Observation settled_observation(const CampaignCase& one, const CaseRecord& known) {

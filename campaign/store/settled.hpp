@@ -15,7 +15,7 @@
 /// start from their checkpoints.
 namespace softwall::campaign {
 
-/// Asks the file system for one time.
+/// Asks the file system for two times: of the run directory and of its checkpoints.
 [[nodiscard]] bool is_settled(const CampaignCase& campaign_case, const CaseRecord& known,
                               const RunFiles& run);
 

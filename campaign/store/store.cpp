@@ -76,6 +76,15 @@ void write_diagnostics(Connection& connection, const std::string& case_id, int a
   }
 }
 
+/// Leaves an attempt alone that is there.
+void insert_attempt(Connection& connection, const std::string& case_id, int attempt,
+                    const AttemptStart& start, const std::string& intended) {
+  connection.run(
+      "INSERT INTO attempts (case_id, attempt, intended, host, ranks, resumed_from) VALUES (?, ?, ?, ?, ?, ?)"
+      " ON CONFLICT (case_id, attempt) DO NOTHING",
+      case_id, attempt, intended, start.host, start.ranks, if_any(start.resumed_from));
+}
+
 void write_end(Connection& connection, const std::string& case_id, int attempt, const AttemptEnd& end) {
   connection.run(
       "UPDATE attempts SET started = coalesce(?3, started), ended = ?4, outcome = ?5, reason = ?6,"
@@ -171,11 +180,14 @@ void Store::set_state(const std::string& case_id, CaseState state, const std::st
   transaction.commit();
 }
 
-void Store::set_stale(const std::string& case_id, const std::string& reason) {
-  Transaction transaction(connection_);
-  connection_.run("UPDATE cases SET stale_reason = ? WHERE case_id = ?", reason, case_id);
-  require_row(connection_, "case " + case_id);
-  transaction.commit();
+void Store::mark_stale(const std::string& version_now) {
+  connection_.run(
+      "UPDATE cases SET stale_reason = now.reason FROM ("
+      " SELECT c.case_id, coalesce('computed by version ' || group_concat(DISTINCT a.version) ||"
+      "  ', this is ' || ?1, '') AS reason"
+      " FROM cases c LEFT JOIN attempts a ON a.case_id = c.case_id AND a.version <> ?1 GROUP BY c.case_id) now"
+      " WHERE cases.case_id = now.case_id AND cases.stale_reason <> now.reason",
+      version_now);
 }
 
 void Store::forgive(const std::string& case_id) {
@@ -192,10 +204,7 @@ int Store::begin_attempt(const std::string& case_id, const AttemptStart& start) 
   Transaction transaction(connection_);
   const int attempt = attempts(case_id) + 1;
   write_state(connection_, case_id, CaseState::kRunning, "attempt " + std::to_string(attempt));
-  connection_.run(
-      "INSERT INTO attempts (case_id, attempt, intended, host, ranks, resumed_from) VALUES (?, ?, ?, ?, ?, "
-      "?)",
-      case_id, attempt, utc_now(), start.host, start.ranks, if_any(start.resumed_from));
+  insert_attempt(connection_, case_id, attempt, start, utc_now());
   transaction.commit();
   return attempt;
 }
@@ -217,12 +226,17 @@ void Store::end_attempt(const std::string& case_id, int attempt, const AttemptEn
 void Store::restore_attempt(const std::string& case_id, int attempt, const AttemptStart& start,
                             const AttemptEnd& end) {
   Transaction transaction(connection_);
-  connection_.run(
-      "INSERT INTO attempts (case_id, attempt, intended, host, ranks, resumed_from) VALUES (?, ?, ?, ?, ?, ?)"
-      " ON CONFLICT (case_id, attempt) DO NOTHING",
-      case_id, attempt, end.started.empty() ? utc_now() : end.started, start.host, start.ranks,
-      if_any(start.resumed_from));
+  insert_attempt(connection_, case_id, attempt, start, end.started.empty() ? utc_now() : end.started);
   write_end(connection_, case_id, attempt, end);
+  transaction.commit();
+}
+
+void Store::restore_open_attempt(const std::string& case_id, int attempt, const AttemptStart& start,
+                                 const std::string& handle) {
+  Transaction transaction(connection_);
+  write_state(connection_, case_id, CaseState::kRunning, "attempt " + std::to_string(attempt));
+  insert_attempt(connection_, case_id, attempt, start, utc_now());
+  attempt_started(case_id, attempt, handle);
   transaction.commit();
 }
 

@@ -67,8 +67,9 @@ class Store {
   /// Removes all that is known of a case that is no longer part of the campaign.
   void forget(const std::string& case_id);
   void set_state(const std::string& case_id, CaseState state, const std::string& reason);
-  /// An empty reason takes the mark away.
-  void set_stale(const std::string& case_id, const std::string& reason);
+  /// Marks the cases that another version of the solver has computed, wholly or in part, and takes the mark
+  /// from all others. Nothing is computed again unasked.
+  void mark_stale(const std::string& version_now);
   /// The user asks for another try: attempts so far no longer count as attempts without progress.
   void forgive(const std::string& case_id);
 
@@ -81,6 +82,9 @@ class Store {
   /// Writes an attempt found in a run directory but not in the store (store lost): start and end at once.
   void restore_attempt(const std::string& case_id, int attempt, const AttemptStart& start,
                        const AttemptEnd& end);
+  /// The same of an attempt that has not ended; the case is running.
+  void restore_open_attempt(const std::string& case_id, int attempt, const AttemptStart& start,
+                            const std::string& handle);
 
   /// The whole ladder as found now; checkpoints recorded earlier and no longer listed are kept as removed.
   void record_checkpoints(const std::string& case_id, const std::vector<CheckpointRecord>& ladder);

@@ -7,7 +7,7 @@ namespace softwall {
 
 /// Which program computed a result: goes into summary.json, checkpoints and the results store.
 struct BuildInfo {
-  std::string version;       ///< of the project, "0.1.0"
+  std::string version;       ///< of the project, "0.2.0"; raised whenever the solver's numbers change
   std::string git_revision;  ///< 12 digits, "-modified" behind them when the tree had changes; or "unknown"
   std::string build_type;    ///< CMake's: Release, Debug, ...
   std::string compiler;      ///< "GNU 12.2.0"

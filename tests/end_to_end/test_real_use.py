@@ -148,6 +148,28 @@ class RealUse(EndToEndTest):
         self.assertEqual(len(campaign.query("SELECT * FROM results_all")), 1)
         self.assertIn("Nothing is left over", campaign.call("clean").stdout)
 
+    def test_what_was_left_can_be_removed_before_the_next_run(self):
+        campaign = self.campaign(RIGID)
+        self.run_to_end(campaign)
+        changed_physics = dict(RIGID["physics"], statistics={"start_time": 0.5, "block_length": 0.25, "interval_steps": 2})
+        campaign.write(changed(RIGID, physics=changed_physics))
+        self.assertEqual(campaign.call("clean", "--remove").returncode, 0)
+        self.assertEqual(list(campaign.folder.glob("cases/*")), [])
+        (row,) = campaign.query("SELECT state, in_campaign FROM results_all")
+        self.assertEqual((row["state"], row["in_campaign"]), ("new", 1))
+        self.assertEqual(campaign.call("verify").returncode, 0)
+
+    def test_old_checkpoints_of_a_finished_case_may_be_removed(self):
+        campaign = self.campaign(changed(RIGID, run={"end_time": 1, "checkpoint_steps": 2, "keep_checkpoints": 3}))
+        self.run_to_end(campaign)
+        *old, _ = sorted(campaign.folder.glob("cases/*/checkpoints/*.h5"))
+        self.assertTrue(old)
+        for checkpoint in old:
+            checkpoint.unlink()
+        self.run_to_end(campaign)
+        self.assertEqual(len(campaign.query("SELECT * FROM checkpoints WHERE present = 1")), 1)
+        self.assertEqual(campaign.call("verify").returncode, 0)
+
     def test_a_store_made_again_is_the_one_that_was_lost(self):
         """After attempts that were killed and interrupted, a damaged checkpoint, and a case that was left over."""
         campaign = self.campaign(SWEEP)

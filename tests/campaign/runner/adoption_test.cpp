@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csignal>
 
+#include "campaign/observe/history.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "tests/campaign/runner/fake_batch_system.hpp"
 #include "tests/campaign/runner/runner_fixture.hpp"
@@ -18,13 +19,20 @@ class AdoptionTest : public RunnerTest {
     system_.play = [this](const LaunchRequest& request) { finish(request); };
   }
 
-  /// What an earlier softwall had done when it was killed: the precursor's first attempt is with the system.
-  Handle leave_precursor_behind() {
+  /// What an earlier softwall had done when it was killed: an attempt at the precursor is with the system,
+  /// after so many that were interrupted.
+  Handle leave_precursor_behind(int attempts_before = 0) {
     const CampaignCase& precursor = campaign_.cases.front();
     const RunFiles run = run_files(folder_.path(), precursor);
     std::filesystem::create_directories(run.directory);
     Store store = Store::open(folder_.path(), OpenMode::kCreate);
     store.record_campaign(campaign_);
+    for (int i = 0; i < attempts_before; ++i) {
+      AttemptEnd end;
+      end.outcome = AttemptOutcome::kInterrupted;
+      store.end_attempt(precursor_id(), store.begin_attempt(precursor_id(), {"login node", 1, ""}), end);
+    }
+    write_history(run, precursor_id(), store.past_attempts(precursor_id()));
     const int attempt = store.begin_attempt(precursor.definition.id, {"login node", 1, ""});
     const Handle handle = system_.submit({precursor.definition.id, run.directory, attempt, 1, std::nullopt});
     write_run_record(run, {precursor.definition.id, attempt, handle, "login node", "2026-01-01T00:00:00Z"});
@@ -52,6 +60,23 @@ TEST_F(AdoptionTest, AJobOfAnEarlierSoftwallIsWaitedForAndNotSubmittedAgain) {
                           " WHERE case_id = '" +
                               precursor_id() + "'"),
             "1 finished job 1");
+}
+
+/// results.db was lost, or set aside because it was damaged.
+TEST_F(AdoptionTest, AJobIsAdoptedIntoAStoreThatKnowsNothing) {
+  leave_precursor_behind(2);
+  for (const auto& file : std::filesystem::directory_iterator(folder_.path())) {
+    if (file.path().filename().string().starts_with("results.db")) std::filesystem::remove(file.path());
+  }
+  test::BatchLauncher launcher(system_);
+  EXPECT_EQ(run(launcher).finished, 5U);
+  EXPECT_EQ(launcher.adopted, std::vector{precursor_id()});
+  EXPECT_TRUE(launcher.stops.empty());
+  Store store = Store::open(folder_.path(), OpenMode::kReadOnly);
+  EXPECT_EQ(
+      tests::answer(store, "SELECT group_concat(attempt || ' ' || outcome) FROM attempts WHERE case_id = '" +
+                               precursor_id() + "'"),
+      "1 interrupted,2 interrupted,3 finished");
 }
 
 TEST_F(AdoptionTest, AQueuedJobCountsAsRunning) {

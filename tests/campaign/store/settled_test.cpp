@@ -72,6 +72,18 @@ TEST_F(SettledTest, EndsWithWhateverAppearsOrGoes) {
   EXPECT_FALSE(settled(one));
 }
 
+/// Somebody makes room: the store has to learn which checkpoints are left.
+TEST_F(SettledTest, EndsWhenACheckpointIsRemoved) {
+  const auto checkpoint = test::write_checkpoint(run, one.definition.id, 100, 1.0);
+  let_time_pass();
+  store.set_state(one.definition.id, CaseState::kRunning, "");
+  store.set_state(one.definition.id, CaseState::kFinished, "");
+  ASSERT_TRUE(settled(one));
+  let_time_pass();
+  std::filesystem::remove(checkpoint);
+  EXPECT_FALSE(settled(one));
+}
+
 /// What it says is what its files would say, and none of them is opened.
 TEST_F(SettledTest, IsObservedWithoutItsFiles) {
   const test::LauncherWithoutMemory& launcher = test::FakeLauncher([](const LaunchRequest&) { return 0; });

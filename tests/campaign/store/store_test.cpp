@@ -72,11 +72,25 @@ TEST_F(StoreTest, RemembersEveryState) {
     store.set_state(id, state, "because");
     EXPECT_EQ(store.find_case(id)->state, state);
   }
-  store.set_stale(id, "a new solver");
-  EXPECT_EQ(store.find_case(id)->stale_reason, "a new solver");
-  EXPECT_EQ(answer(store, "SELECT sum(stale) FROM cases"), "1");
-  store.set_stale(id, "");
+}
+
+TEST_F(StoreTest, WhatAnotherVersionHasComputedIsStale) {
+  const auto attempt_of = [&](const std::string& version) {
+    AttemptEnd end = failed_at(10);
+    end.version = version;
+    store.end_attempt(id, store.begin_attempt(id, start), end);
+  };
+  attempt_of("0.2.0");
+  store.mark_stale("0.2.0");
   EXPECT_EQ(answer(store, "SELECT sum(stale) FROM cases"), "0");
+  store.mark_stale("0.3.0");
+  EXPECT_EQ(store.find_case(id)->stale_reason, "computed by version 0.2.0, this is 0.3.0");
+  EXPECT_EQ(answer(store, "SELECT sum(stale) FROM cases"), "1");
+  attempt_of("0.3.0");  // goes on from what the older one had computed
+  store.mark_stale("0.3.0");
+  EXPECT_EQ(store.find_case(id)->stale_reason, "computed by version 0.2.0, this is 0.3.0");
+  store.mark_stale("0.2.0");
+  EXPECT_EQ(store.find_case(id)->stale_reason, "computed by version 0.3.0, this is 0.2.0");
 }
 
 TEST_F(StoreTest, RefusesWordsAboutWhatItDoesNotHave) {
@@ -85,7 +99,6 @@ TEST_F(StoreTest, RefusesWordsAboutWhatItDoesNotHave) {
   EXPECT_THAT(refusal([&] { (void)store.begin_attempt("nobody", start); }), HasSubstr("no case nobody"));
   EXPECT_THAT(refusal([&] { store.end_attempt(id, 7, {}); }), HasSubstr("no attempt 7 of case " + id));
   EXPECT_THAT(refusal([&] { store.attempt_started(id, 7, "7"); }), HasSubstr("no attempt 7"));
-  EXPECT_THAT(refusal([&] { store.set_stale("nobody", "x"); }), HasSubstr("no case nobody"));
   EXPECT_THAT(refusal([&] { store.forgive("nobody"); }), HasSubstr("no case nobody"));
   EXPECT_THAT(refusal([&] { store.record_result("nobody", result_made_of(1.0), ""); }),
               HasSubstr("FOREIGN KEY"));
@@ -199,7 +212,7 @@ TEST_F(StoreTest, WritesInsideATransactionAreOneWithIt) {
   {
     Transaction together(store.connection());
     store.set_state(id, CaseState::kFailed, "lost again");
-    store.set_stale(id, "too");
+    store.forgive(id);
   }
   EXPECT_EQ(store.find_case(id)->state, CaseState::kNew);
   Transaction together(store.connection());
