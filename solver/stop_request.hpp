@@ -14,7 +14,7 @@ void install_signal_handlers();
 /// Number of the signal that asked this process to stop; 0: none did.
 [[nodiscard]] int stop_signal();
 
-/// Why a run ends that such a signal stops, for people: "stopped on request".
+/// Why a run ends that such a signal stops, for users: "stopped on request".
 [[nodiscard]] std::string describe_stop_signal(int signal);
 
 }  // namespace softwall

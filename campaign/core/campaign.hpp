@@ -73,7 +73,7 @@ enum class CaseState {
 struct Observation {
   std::string case_id;
   CaseState state = CaseState::kNew;
-  std::string reason;     ///< why the last attempt ended, for people
+  std::string reason;     ///< why the last attempt ended, human-readable
   std::int64_t step = 0;  ///< furthest step that is safe in a checkpoint or summary
   double time = 0.0;      ///< its time, h/U_b
   double end_time = 0.0;  ///< asked for, h/U_b
@@ -83,7 +83,7 @@ struct Observation {
   std::optional<std::filesystem::path> newest_checkpoint;  ///< newest one that is valid
   int attempts = 0;
   int attempts_without_progress = 0;  ///< the last ones in a row that added no step
-  /// What a person has to see to before it may run again: checkpoints that cannot be read just now, or of
+  /// What a user has to see to before it may run again: checkpoints that cannot be read just now, or of
   /// which none is left although there have been some. Empty: nothing.
   std::string needs_person;
   bool retry_allowed = true;      ///< false: the solver said that trying again cannot help (bad case)

@@ -8,7 +8,7 @@
 
 #include "campaign/core/campaign.hpp"
 
-/// Labels are what people call the cases of a campaign: distinct, short, and kept for as long as a case is
+/// Labels are what users call the cases of a campaign: distinct, short, and kept for as long as a case is
 /// there. They are never identity.
 namespace softwall::campaign {
 

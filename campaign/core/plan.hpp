@@ -16,13 +16,13 @@ enum class Outlook {
   kRunning,  ///< a solver is at work on it
   kKept,     ///< finished: nothing to do
   kWaiting,  ///< for the case that it starts from
-  kBlocked   ///< will not be run again without a person: diverged, bad, failing without progress, too large
+  kBlocked   ///< will not be run again without a user: diverged, bad, failing without progress, too large
 };
 
 struct Decision {
   std::string case_id;
   Outlook outlook = Outlook::kStart;
-  std::string reason;  ///< for people; never empty
+  std::string reason;  ///< human-readable; never empty
 };
 
 /// Start or resume this case now.

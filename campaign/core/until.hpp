@@ -35,7 +35,7 @@ struct UncertainResult {
 [[nodiscard]] bool are_met(const std::vector<IntervalTarget>& targets,
                            const std::function<UncertainResult(const std::string& quantity)>& result_of);
 
-/// "re_tau within 2 %, delta_max within 0.001"; for people.
+/// "re_tau within 2 %, delta_max within 0.001"; human-readable.
 [[nodiscard]] std::string describe(const std::vector<IntervalTarget>& targets);
 
 }  // namespace softwall::campaign

@@ -69,7 +69,7 @@ class Launcher {
   /// Whether attempts go on when the softwall that started them leaves. They are then left alone, and the
   /// next softwall adopts them.
   [[nodiscard]] virtual bool attempts_stay() const { return false; }
-  /// What people should know about the launcher itself, once each.
+  /// What users should know about the launcher itself, once each.
   [[nodiscard]] virtual std::vector<std::string> news() { return {}; }
   /// Attempts that ended since the last call. Does not wait.
   virtual std::vector<EndedAttempt> collect() = 0;

@@ -32,7 +32,7 @@ class ProcessLauncher final : public Launcher {
 
   /// mpirun of the PATH, for this solver; tries it out.
   void prepare(const std::filesystem::path& solver, int ranks) override;
-  /// The handle is mpirun's ProcessIdentity as JSON. It is for people: attempts are found by the
+  /// The handle is mpirun's ProcessIdentity as JSON. It is for users: attempts are found by the
   /// marks of their processes (system/work_marks.hpp), because ranks may outlive their mpirun.
   [[nodiscard]] Handle start(const LaunchRequest& request) override;
   /// False: solvers of this machine end with the softwall that started them.

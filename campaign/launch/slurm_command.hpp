@@ -15,7 +15,7 @@ namespace softwall::campaign {
 /// "--user=1000": of all jobs, ours.
 [[nodiscard]] std::string of_this_user();
 
-/// A text in one line, no longer than a person reads.
+/// A text in one line, no longer than a user reads.
 [[nodiscard]] std::string in_one_line(const std::string& text);
 /// Why an answer is none, in the program's own words where it has any.
 [[nodiscard]] std::string trouble_in(const Answer& answer, const std::string& program);

@@ -22,7 +22,7 @@ struct JobRecord {
 /// Empty for a handle that some other launcher has made.
 [[nodiscard]] std::optional<JobRecord> job_of(const Handle& handle);
 
-/// "softwall.<campaign's folder>.<case's directory>.<attempt>.<hash of the run directory>": for people, and
+/// "softwall.<campaign's folder>.<case's directory>.<attempt>.<hash of the run directory>": for users, and
 /// the only one of its kind, also where a campaign's folder was copied. Only letters, digits and "._=+-".
 [[nodiscard]] std::string job_name(const LaunchRequest& request);
 /// "softwall.<campaign's folder>."

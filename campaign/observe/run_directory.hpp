@@ -13,7 +13,7 @@ struct NotThisCase : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Make the run directory of a case and write its case.json anew: `run` may have changed since the last
+/// Make the run directory of a case and write its case.json again: `run` may have changed since the last
 /// attempt, the physics cannot. initial_checkpoint: of the precursor, absolute; may be empty. Throws
 /// std::system_error when it cannot be written, NotThisCase when the directory holds another case.
 void prepare_run_directory(const Case& definition, const RunFiles& run,

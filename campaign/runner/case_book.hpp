@@ -16,7 +16,7 @@
 namespace softwall::campaign {
 
 /// What the runner knows about each case: its directory, what was last observed there, and why it is not to
-/// be run again before a person has looked.
+/// be run again before a user has looked.
 class CaseBook {
  public:
   CaseBook(Campaign campaign, std::filesystem::path folder, Store& store, Progress& progress);
@@ -33,7 +33,7 @@ class CaseBook {
   [[nodiscard]] RunFiles files_of(const CampaignCase& one) const;
   [[nodiscard]] const Observation& seen(const CampaignCase& one) const;
 
-  /// Observe the files of a case anew. Whether a solver works on it is not asked: the runner knows which
+  /// Observe the files of a case again. Whether a solver works on it is not asked: the runner knows which
   /// cases it has started or adopted, and has ended all others before.
   void look_at(const CampaignCase& one);
   void look_at(const CampaignCase& one, const Observation& files, const CaseRecord& known);
@@ -52,7 +52,7 @@ class CaseBook {
   /// waits until somebody has put right what is in its way.
   void give_up(const CampaignCase& one, const std::string& reason);
   void pause(const CampaignCase& one, const std::string& reason);
-  /// All that is not finished, looked at anew without the store, which is in trouble.
+  /// All that is not finished, observed again without the store, which is in trouble.
   void pause_unfinished(const std::string& reason);
   [[nodiscard]] const std::map<std::string, std::string>& given_up() const { return given_up_; }
   [[nodiscard]] const std::map<std::string, std::string>& paused() const { return paused_; }

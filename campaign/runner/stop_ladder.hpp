@@ -13,7 +13,7 @@ struct StopGrace {
   double terminate_seconds = 15.0;    ///< mpirun itself needs two seconds after SIGTERM
 };
 
-/// How firmly a person asks who has asked so often to stop.
+/// How firmly a user asks who has asked so often to stop.
 [[nodiscard]] inline StopLevel level_of_requests(int requests) {
   return requests >= 3 ? StopLevel::kKill : requests == 2 ? StopLevel::kTerminate : StopLevel::kCheckpoint;
 }
@@ -24,7 +24,7 @@ class StopLadder {
  public:
   StopLadder(StopGrace grace, double now) : grace_(grace), began_(now), repeat_at_(now) {}
 
-  /// The request to make now, if one is due: at least as firm as a person wants it to be.
+  /// The request to make now, if one is due: at least as firm as a user wants it to be.
   [[nodiscard]] std::optional<StopLevel> due(double now, StopLevel at_least = StopLevel::kCheckpoint) {
     const StopLevel level = std::max(level_at(now - began_), at_least);
     if (level == last_ && now < repeat_at_) return std::nullopt;

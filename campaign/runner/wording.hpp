@@ -10,7 +10,7 @@
 #include "campaign/observe/ladder.hpp"
 #include "solver/run_directory/status.hpp"
 
-/// What the runner says to people.
+/// What the runner says to users.
 namespace softwall::campaign {
 
 /// "G=0.5_mu=1: resumed from t = 12.3 (step 1230), 2 ranks". queued: it has yet to wait for its turn.

@@ -22,7 +22,7 @@ struct ResultTable {
 
 enum class TableFormat { kText, kVertical, kCsv, kJson };
 
-/// Text: for people, aligned, numbers to six significant digits, control characters made visible. Vertical:
+/// Text: for users, aligned, numbers to six significant digits, control characters made visible. Vertical:
 /// the same, one value a line beside the name of its column, an empty line between rows. CSV: RFC 4180 with
 /// LF, header first, NULL empty and the empty text "", all digits; a row that is a single NULL is "", because
 /// readers drop blank lines. JSON: array of objects, numbers as numbers with all digits, NULL and non-finite

@@ -8,7 +8,7 @@
 
 /// The format of the store and its versions. A change of schemas/results.sql that touches existing stores
 /// raises kSchemaVersion and adds schemas/migrations/from_<old>.sql with its entry in migrations(), for the
-/// tables; the views are made anew from schemas/results.sql by every migration.
+/// tables; the views are rebuilt from schemas/results.sql by every migration.
 namespace softwall::campaign {
 
 inline constexpr std::int32_t kApplicationId = 0x73667477;  ///< "sftw", in the header of the file

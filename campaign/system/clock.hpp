@@ -11,7 +11,7 @@ namespace softwall::campaign {
 /// it.
 [[nodiscard]] double monotonic_seconds();
 
-/// A duration for people: "42 s", "12 min", "3 h 20 min", "2 d 4 h", "more than 1000 years".
+/// A duration for users: "42 s", "12 min", "3 h 20 min", "2 d 4 h", "more than 1000 years".
 [[nodiscard]] std::string describe_duration(double seconds);
 /// The same of one that is not known to the second: "about 12 min".
 [[nodiscard]] std::string describe_about(double seconds);

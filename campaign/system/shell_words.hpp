@@ -9,7 +9,7 @@ namespace softwall::campaign {
 /// control characters in $'...', so that a terminal shows the command that it takes.
 [[nodiscard]] std::string shell_word(const std::string& text);
 
-/// "softwall resume '/data/soft walls'": what a person may copy and run.
+/// "softwall resume '/data/soft walls'": what a user may copy and run.
 [[nodiscard]] std::string softwall_command(const std::string& command, const std::filesystem::path& path);
 
 }  // namespace softwall::campaign

@@ -6,7 +6,7 @@
 
 namespace softwall {
 
-/// No case or campaign a person writes comes near this; a wrong file (a checkpoint, /dev/zero) does.
+/// No case or campaign a user writes comes near this; a wrong file (a checkpoint, /dev/zero) does.
 inline constexpr std::size_t kInputFileLimit = std::size_t{16} << 20;
 
 /// The whole text of a small regular file. Throws BadInput, in one line, for a missing or unreadable file, a

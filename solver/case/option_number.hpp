@@ -11,7 +11,7 @@ struct OptionRange {
   double high = 0.0;
 };
 
-/// What is wrong with the text of an option, for people; empty when it is a number of the range. "nan" and
+/// What is wrong with the text of an option, for users; empty when it is a number of the range. "nan" and
 /// "inf" are numbers to most readers of text, and no limit anybody means.
 [[nodiscard]] std::string trouble_with_number(const std::string& text, const OptionRange& range);
 

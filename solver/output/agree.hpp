@@ -8,7 +8,7 @@
 #include "solver/run_directory/exit_codes.hpp"
 
 /// Errors that all ranks know of. An error on one rank alone, thrown past a collective call, leaves the
-/// others waiting for ever; so whatever one rank does on its own is followed by an agreement.
+/// others waiting indefinitely; so whatever one rank does on its own is followed by an agreement.
 namespace softwall::output {
 
 /// An error thrown on every rank at once: the program may end in order, with this exit code.

@@ -5,7 +5,7 @@
 namespace softwall::output {
 
 /// Ends the process with exit code 75 if its scope takes longer than it should. After an I/O error on one
-/// rank the others can wait for ever inside a collective call; no agreement helps there, only a clock does.
+/// rank the others can hang inside a collective call; no agreement helps there, only a clock does.
 /// mpirun then ends the other ranks. One at a time (it uses alarm()).
 class Watchdog {
  public:

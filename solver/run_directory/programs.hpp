@@ -4,7 +4,7 @@
 
 #include "solver/case/case.hpp"
 
-/// The solver is built once for each precision, side by side in one folder. People and the manager start
+/// The solver is built once for each precision, side by side in one folder. Users and the manager start
 /// softwall-dns, which replaces itself by the other one where a case asks for it.
 namespace softwall {
 

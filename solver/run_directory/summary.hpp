@@ -16,7 +16,7 @@ struct Summary {
   std::string case_id;
   int attempt = 0;
   std::string outcome;  ///< finished, interrupted, diverged or failed: outcome_of()
-  std::string reason;   ///< for people
+  std::string reason;   ///< human-readable
   std::optional<int> exit_code;
   std::int64_t step = 0;
   double time = 0.0, end_time = 0.0;  ///< h/U_b

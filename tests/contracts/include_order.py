@@ -1,12 +1,12 @@
-"""Who may include whom. The rooms of the solver stand in an order, and the manager knows only what is shared.
+"""Who may include whom. The modules of the solver are ordered, and the manager includes only what is shared.
 
     case < run_directory < parallel < grid < {fluid, solid, pressure} < time < {statistics, output} < simulation < main
 
-The rooms of the manager stand in an order too:
+The modules of the manager are ordered, too:
 
     {core, system} < launch < observe < store < {tables, runner} < commands < main
 
-Also: every header stands on its own. It is the first include of some source or test, so the compiler has seen it
+Also: every header compiles alone. It is the first include of some source or test, so the compiler has seen it
 with nothing before it; the few that are not are compiled here.
 """
 

@@ -1,4 +1,4 @@
-"""What lies where: the top level is fixed, every room has its README, nothing points out of the repository."""
+"""What lies where: the top level is fixed, every top folder has its README, nothing points out of the repository."""
 
 import re
 import unittest

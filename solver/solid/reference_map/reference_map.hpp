@@ -17,7 +17,7 @@
 /// and both follow from d: B from its gradient (strain.hpp), phi from the material surface y - d_y = its
 /// height at rest (surface.hpp). Nothing is stretched by the fluid, nothing smears. Below the surface d is
 /// extrapolated after every substep (extrapolation.hpp, isochoric_extension.hpp). Where the grid tears it, it
-/// is mended (mending.hpp). On the upper wall it holds fast: d = 0.
+/// is mended (mending.hpp). On the upper wall it is bonded: d = 0.
 namespace softwall::solid::reference_map {
 
 class ReferenceMap : public Formulation {

@@ -144,7 +144,7 @@ struct Stretching {
     return to_y_face(yy_z, i, j, k) * dwdy(i, j, k) + to_y_face(zz_z, i, j, k) * dvdz(i, j, k) -
            yz(i, j, k) * to_y_face(dudx_z, i, j, k) + corners(corner, in, i, j, k, i + 1, j, k);
   }
-  // On a rigid wall v = 0 and B_yy = 1 for ever, so that shear changes by the shear of the wall-parallel
+  // On a rigid wall v = 0 and B_yy = 1 always, so that shear changes by the shear of the wall-parallel
   // velocity.
   Real rate_xy_wall(int i, int j, int k) const { return dudy(i, j, k); }
   Real rate_yz_wall(int i, int j, int k) const { return dwdy(i, j, k); }

@@ -26,7 +26,7 @@ namespace softwall::solid {
 
 /// Changes the normal components in rows first_row and above by a share of what the factor of their cell asks
 /// for. The shear components stay: a layer at rest holds its load by them, and to scale them by what their
-/// means at centers leave of the determinant would let it creep for ever. Fills the shear components' ghost
+/// means at centers leave of the determinant would let it creep forever. Fills the shear components' ghost
 /// cells.
 void restore_unit_determinant(grid::TensorField& B, const Grid& grid, grid::Halo& halo, int first_row,
                               double share);
