@@ -17,6 +17,7 @@ ColumnHeights::ColumnHeights(const Grid& grid, grid::Halo& halo)
   for (int j = 0; j <= grid.ny; ++j)
     faces_[static_cast<std::size_t>(j)] = Real(grid.y_face[j] - grid.y_face[grid.ny_fluid]);
   for (auto& strip : strips_) strip.resize(static_cast<std::size_t>(grid.nx));
+  for (auto* slope : {&slope_x_, &slope_z_}) slope->resize(static_cast<std::size_t>(grid.nx));
 }
 
 void ColumnHeights::find(const grid::Field& fraction, int first_row) {
@@ -46,6 +47,7 @@ void ColumnHeights::put(grid::Field& fraction, int first_row) {
   const auto phi = fraction.view();
   const int nx = grid_.nx;
   for (int k = 0; k < grid_.nz; ++k) {
+    find_slopes(k, faces_[static_cast<std::size_t>(first_row)]);
     const Range surface = find_strips(k);
     for (int j = first_row; j < grid_.ny; ++j) {
       const Real bottom = faces_[static_cast<std::size_t>(j)], top = faces_[static_cast<std::size_t>(j) + 1];
@@ -59,19 +61,35 @@ void ColumnHeights::put(grid::Field& fraction, int first_row) {
   }
 }
 
+/// Half the rise of the surface from the column before to the one behind, or less where a strip would
+/// otherwise lie beyond the wall or below the rows in use, and what is beyond would be lost.
+void ColumnHeights::find_slopes(int k, Real lowest) {
+  const auto height = std::as_const(heights_).view();
+  const Real wall = faces_.back(), farthest = offset_of(kStrips - 1);
+#pragma omp simd
+  for (int i = 0; i < grid_.nx; ++i) {
+    const Real here = height(i, 0, k), in_x = (height(i + 1, 0, k) - height(i - 1, 0, k)) / 2,
+               in_z = (height(i, 0, k + 1) - height(i, 0, k - 1)) / 2;
+    const Real below = here - lowest, above = wall - here, least = below < above ? below : above,
+               room = least > 0 ? least : 0, reach = farthest * (std::abs(in_x) + std::abs(in_z)),
+               part = reach > room ? room / reach : 1;
+    slope_x_[static_cast<std::size_t>(i)] = part * in_x;
+    slope_z_[static_cast<std::size_t>(i)] = part * in_z;
+  }
+}
+
 /// Strips lie alike on both sides of the column's center, so that slopes do not change their mean.
 ColumnHeights::Range ColumnHeights::find_strips(int k) {
   const auto height = std::as_const(heights_).view();
   Real lowest = std::numeric_limits<Real>::max(), highest = std::numeric_limits<Real>::lowest();
-  const auto offset = [](int n) { return (n + Real(0.5)) / kStrips - Real(0.5); };
   for (int c = 0; c < kStrips; ++c) {
     for (int a = 0; a < kStrips; ++a) {
-      const Real in_x = offset(a) / 2, in_z = offset(c) / 2;
+      const Real in_x = offset_of(a), in_z = offset_of(c);
+      const Real *const slope_x = slope_x_.data(), *const slope_z = slope_z_.data();
       Real* const out = strips_[static_cast<std::size_t>(c * kStrips + a)].data();
 #pragma omp simd reduction(min : lowest) reduction(max : highest)
       for (int i = 0; i < grid_.nx; ++i) {
-        const Real here = height(i, 0, k) + in_x * (height(i + 1, 0, k) - height(i - 1, 0, k)) +
-                          in_z * (height(i, 0, k + 1) - height(i, 0, k - 1));
+        const Real here = height(i, 0, k) + in_x * slope_x[i] + in_z * slope_z[i];
         lowest = here < lowest ? here : lowest;
         highest = here > highest ? here : highest;
         out[i] = here;

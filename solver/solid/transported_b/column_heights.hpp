@@ -33,7 +33,8 @@ class ColumnHeights {
 
   /// The inverse. Within its column the surface is a plane with the slopes of the heights around it, measured
   /// on 4 x 4 strips, whose mean is the height itself: what find() takes from phi was put there, to
-  /// round-off. Writes rows from first_row on of this rank's columns. Fills the ghost columns of the heights.
+  /// round-off, as long as the height is between the wall and first_row. Writes rows from first_row on of
+  /// this rank's columns. Fills the ghost columns of the heights.
   void put(grid::Field& phi, int first_row);
 
   /// Height over column (i, k) is height(i, 0, k), h above the undeformed interface.
@@ -52,6 +53,9 @@ class ColumnHeights {
   struct Range {
     Real lowest, highest;
   };
+  /// Where a strip lies between the sides of its column, from -1/2 to 1/2.
+  static Real offset_of(int strip) { return (strip + Real(0.5)) / kStrips - Real(0.5); }
+  void find_slopes(int k, Real lowest);
   Range find_strips(int k);
   void put_crossed_row(int j, Real* phi) const;
 
@@ -60,6 +64,7 @@ class ColumnHeights {
   grid::Field heights_;  ///< a single row
   std::vector<Real> faces_;
   std::vector<double> bases_, fluid_;  ///< of one line of columns: highest row without solid; fluid above it
+  std::vector<Real> slope_x_, slope_z_;  ///< rise across a column of the line
   std::array<std::vector<Real>, std::size_t{kStrips} * kStrips> strips_;  ///< heights along one line
   Real row_height_;
 };

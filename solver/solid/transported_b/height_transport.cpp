@@ -16,11 +16,17 @@ Real part_above(Real surface, Real bottom, Real top) {
   return above > 0 ? above : 0;
 }
 
+/// Of the heights around the low face of a column.
+Real fifth_difference(const Real* at, std::ptrdiff_t stride) {
+  return at[2 * stride] - at[-3 * stride] - 5 * (at[stride] - at[-2 * stride]) + 10 * (at[0] - at[-stride]);
+}
+
 }  // namespace
 
-HeightTransport::HeightTransport(const Grid& grid, grid::Halo& halo, WenoWeights weights)
+HeightTransport::HeightTransport(const Grid& grid, grid::Halo& halo, WenoWeights weights, double wave_speed)
     : grid_(grid),
       weights_(weights),
+      wave_speed_(Real(wave_speed)),
       surface_(grid, halo),
       flow_x_(single_row(grid), 1),
       flow_z_(single_row(grid), 1),
@@ -97,8 +103,10 @@ void HeightTransport::find_line_of_flows(const View<const Real>& velocity, const
       speed[i] += middle >= bottom && middle < top ? v[i] : 0;
     }
   }
+  const Real smoothing = wave_speed_ / 60;
 #pragma omp simd
-  for (int i = 0; i < end; ++i) flow[i] = speed[i] > 0 ? flow[i] : flow_high[i];
+  for (int i = 0; i < end; ++i)
+    flow[i] = (speed[i] > 0 ? flow[i] : flow_high[i]) + smoothing * fifth_difference(heights + i, stride);
 }
 
 }  // namespace softwall::solid

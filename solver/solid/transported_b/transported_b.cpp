@@ -17,6 +17,16 @@ namespace {
 /// Less phi than this is dust: it stays where it is, without effect.
 constexpr double kDust = 0.02;
 
+/// Under a surface that is a height, B below a threshold nearer to 1 is the row above's in more and more of
+/// the cells that the surface passes through. What short waves had strained there is forgotten each time, and
+/// the surface creeps until single columns stand out of it by the thickness of the layer (G = 0.5, t = 30).
+constexpr double kHighestThresholdOfAHeight = 0.75;
+
+Real threshold_of(const SolidSpec& spec) {
+  const bool is_height = spec.interface == InterfaceTransport::kHeight;
+  return Real(is_height ? std::min(spec.threshold, kHighestThresholdOfAHeight) : spec.threshold);
+}
+
 Stretching stretching_of(const Material& m, const grid::VectorField& velocity, const SolidEdges& in,
                          const Grid& g) {
   const auto& B = m.B;
@@ -43,6 +53,7 @@ void assign(grid::Field& rate, const grid::Box& box, const Source& source) {
 TransportedB::TransportedB(const SolidSpec& spec, const Grid& grid,
                            const parallel::Decomposition& decomposition, grid::Halo& halo)
     : spec_(spec),
+      threshold_(threshold_of(spec)),
       grid_(grid),
       halo_(halo),
       advection_(grid, spec.weno),
@@ -51,7 +62,8 @@ TransportedB::TransportedB(const SolidSpec& spec, const Grid& grid,
       share_(spec.interface == InterfaceTransport::kHeight ? kFluidAtFlatInterface : kMeanByVolume, grid),
       edges_(grid) {
   if (spec.interface == InterfaceTransport::kMthinc) fraction_.emplace(grid, halo);
-  if (spec.interface == InterfaceTransport::kHeight) height_.emplace(grid, halo, spec.weno);
+  if (spec.interface == InterfaceTransport::kHeight)
+    height_.emplace(grid, halo, spec.weno, std::sqrt(spec.G));
   if (spec.extension == Extension::kNormal) normal_.emplace(grid, decomposition, halo);
 }
 
@@ -91,7 +103,7 @@ void TransportedB::find_rates(const Material& m, const grid::VectorField& veloci
   advection_.rate_of(m.B.xz, EdgeXzVelocity{base}, j0, now_.B.xz);
   advection_.rate_of(m.B.yz, EdgeYzVelocity{base}, j0, now_.B.yz);
 
-  mark_solid_edges(m, Real(spec_.threshold), grid_, j0, edges_);
+  mark_solid_edges(m, threshold_, grid_, j0, edges_);
   const Stretching s = stretching_of(m, velocity, edges_, grid_);
   const auto centers = grid::rows(grid_, j0, ny), faces = grid::rows(grid_, std::max(j0, 1), ny);
   add(now_.B.xx, centers, [=](int i, int j, int k) { return s.rate_xx(i, j, k); });
@@ -153,10 +165,10 @@ void TransportedB::line(Material& m, int first_row) {
   fill_beyond_walls(m, first_row);
   halo_.fill({&m.phi}, span);
   if (height_) follow_surface(m, first_row);
-  extend_shear(m, Real(spec_.threshold), grid_, band);
+  extend_shear(m, threshold_, grid_, band);
   fill_beyond_walls(m, first_row);
   halo_.fill({&m.B.xy, &m.B.xz, &m.B.yz}, span);
-  limited_cells_ += extend_normal(m, Real(spec_.threshold), spec_.min_eigenvalue, grid_, band);
+  limited_cells_ += extend_normal(m, threshold_, spec_.min_eigenvalue, grid_, band);
   fill_beyond_walls(m, first_row);
   halo_.fill({&m.B.xx, &m.B.yy, &m.B.zz}, span);
 }
@@ -183,12 +195,12 @@ void TransportedB::surround(Material& m) {
   const auto all = grid::all_cells(grid_);
   fill_beyond_walls(m, first_row);
   halo_.fill({&m.phi, &m.B.xy, &m.B.xz, &m.B.yz});
-  normal_->extend_shear(m, spec_.threshold);
+  normal_->extend_shear(m, threshold_);
   fill_beyond_walls(m, first_row);
   halo_.fill({&m.B.xy, &m.B.xz, &m.B.yz});
   limited_cells_ += keep_positive_definite(m.B, spec_.min_eigenvalue, all);
   halo_.fill({&m.B.xx, &m.B.yy, &m.B.zz});
-  normal_->extend_normal(m, spec_.threshold);
+  normal_->extend_normal(m, threshold_);
   limited_cells_ += keep_positive_definite(m.B, spec_.min_eigenvalue, all);
   fill_beyond_walls(m, first_row);
   halo_.fill({&m.B.xx, &m.B.yy, &m.B.zz});

@@ -31,7 +31,7 @@ class TransportedB : public Formulation {
                  int first_row, PlaneFollower* follower) override;
   /// The phi from which on B of an edge is the solid's own. Around a body of any shape every edge counts as
   /// one, and the local shear stands in for the solid's.
-  [[nodiscard]] Real solid_from() const override { return normal_ ? Real(0) : Real(spec_.threshold); }
+  [[nodiscard]] Real solid_from() const override { return normal_ ? Real(0) : threshold_; }
   /// Where the interface is a height, stress is shared as with a reference map. Where phi is smeared, the
   /// mean by volume is taken: with the fluid's stress alone a layer of 32 x 32 + 8 x 32 cells fluttered there
   /// (MTHINC, G = 1: v' 0.19 at the interface).
@@ -54,6 +54,7 @@ class TransportedB : public Formulation {
   void fill_beyond_walls(Material& material, int first_row) const;
 
   SolidSpec spec_;
+  Real threshold_;  ///< of spec_, as far as the interface allows
   const Grid& grid_;
   grid::Halo& halo_;
   Advection advection_;
