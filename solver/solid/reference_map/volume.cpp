@@ -11,9 +11,9 @@ namespace {
 constexpr double kMostInAStep = 0.15;
 
 /// The time within which the volume of the whole solid is restored, h/U_b.
-constexpr double kRestoringTime = 0.1;
+constexpr double kRestoringTime = 0.05;
 /// The most of its relative change that is restored in a unit of time, U_b/h.
-constexpr double kFastestRestoring = 1e-2;
+constexpr double kFastestRestoring = 0.1;
 
 Real speed(double dt, double spacing) { return Real(std::min(1.0, kMostInAStep * spacing / dt)); }
 
