@@ -103,10 +103,10 @@ def _readable(case, file):
 
 
 def _newest_checkpoint(case):
-    """None without one. It may be removed between the two looks, when there is a newer one."""
-    while files := sorted(case.directory.glob("checkpoints/checkpoint-*.h5"), key=lambda file: file.name):
+    """The newest that can be read, or None. One may be removed between the two looks, when there is a newer one."""
+    while files := sorted(case.directory.glob("checkpoints/checkpoint-*.h5"), key=lambda file: file.name, reverse=True):
         try:
-            return _readable(case, files[-1])
+            return next(filter(None, (_readable(case, file) for file in files)), None)
         except FileNotFoundError:
             continue
     return None

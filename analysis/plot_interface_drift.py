@@ -129,7 +129,7 @@ def main():
         rates = growth_rates(case)
         left.plot([end - WINDOW / 2 for end, _ in rates], [rate for _, rate in rates], "o-",
                   label=f"{option_of(case)}, {case.grid}")
-    left.set(xlabel=r"$t U_b/h$", ylabel=r"growth rate, $h/U_b$")
+    left.set(xlabel=r"$t U_b/h$", ylabel=r"growth rate, $U_b/h$")
     coarsest = swinging[0].grid if swinging else ""
     for case in swinging or waves:
         if case.grid == coarsest or not swinging:

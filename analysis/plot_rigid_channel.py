@@ -26,15 +26,14 @@ class Channel:
     def __init__(self, case):
         self.case = case
         self.reynolds = case.reynolds
-        self.y = case.y["center"][: len(case.y["center"]) // 2]
-        self.y_face = case.y["face"][: len(case.y["face"]) // 2 + 1]
+        self.y, self.y_face = (case.y[place][: (len(case.y[place]) + 1) // 2] for place in ("center", "face"))
         self.values = self._profiles(case)
         self.ci95 = {name: batches.half_width(case, lambda each: self._profiles(each)[name]) for name in self.values}
 
     @staticmethod
     def _half(case, name, sign=1):
         values = case.mean(name)[1]
-        half = len(values) // 2 if len(values) % 2 == 0 else len(values) // 2 + 1
+        half = (len(values) + 1) // 2
         return (values[:half] + sign * values[::-1][:half]) / 2
 
     def _profiles(self, case):
