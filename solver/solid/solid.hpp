@@ -38,8 +38,8 @@ class Solid {
 
   /// Where the stress between rows is implicit: lets it resist what a substep has changed of the velocity
   /// since `before` (row_stiffness.hpp). Elsewhere does nothing.
-  void resist(const Material& material, const grid::VectorField& before, const ImplicitWeights& weights,
-              grid::VectorField& velocity);
+  void apply_implicit_stress(const Material& material, const grid::VectorField& before,
+                             const ImplicitWeights& weights, grid::VectorField& velocity);
 
   /// phi, the two elastic forces of a substep (grid/solid_input.hpp) and the excess viscous force of moment
   /// k-1 for the predictor.
