@@ -272,6 +272,7 @@ void Simulation::write_status() {
     s.time = state_.time;
     s.end_time = case_.run.end_time;
     s.dt = last_step_.dt;
+    // Format 1 of status.json (schemas/status.schema.json) says advection.
     s.dt_limit = limit == "convection" ? "advection" : limit;
     s.seconds_per_step = pace_.seconds_per_step();
     s.checkpoint_step = checkpoint_step_;
