@@ -61,8 +61,9 @@ double project_and_drive(State& s, Setup& setup, const Stage& stage, double dt) 
   double push = 0;
   if (setup.bulk_velocity) {
     const parallel::Profile::Scope scope(&setup.profile, Phase::kCorrection);
-    push = fluid::missing_flow({s.velocity.x, projection.psi(), duration, projection.row_sums()},
-                               solid_input(s, setup), *setup.bulk_velocity, setup.grid, setup.decomposition);
+    push = fluid::flow_rate_correction({s.velocity.x, projection.psi(), duration, projection.row_sums()},
+                                       solid_input(s, setup), *setup.bulk_velocity, setup.grid,
+                                       setup.decomposition);
   }
   projection.correct(s.velocity, s.pressure, duration, push);
   return push;

@@ -139,14 +139,14 @@ void TransportedB::show_planes(PlaneFollower& follower) const {
 
 void TransportedB::make_consistent(Material& m, int first_row) {
   if (normal_) {
-    surround(m);
+    extend_body(m);
   } else {
-    line(m, first_row);
+    extend_layer(m, first_row);
   }
 }
 
 /// A layer needs its ghost cells, its skin and positive definiteness, each of which needs the one before.
-void TransportedB::line(Material& m, int first_row) {
+void TransportedB::extend_layer(Material& m, int first_row) {
   const grid::RowSpan span{std::max(-Material::kGhost, first_row - Material::kGhost),
                            grid_.ny + Material::kGhost};
   const auto band = grid::rows(grid_, first_row, grid_.ny);
@@ -178,7 +178,7 @@ void TransportedB::follow_surface(Material& m, int first_row) {
 /// A body of any shape needs them in another order: B is made positive definite in the solid before its
 /// surroundings take it, and then there (means of positive definite tensors are, but shear and normal
 /// components live in different places).
-void TransportedB::surround(Material& m) {
+void TransportedB::extend_body(Material& m) {
   constexpr int first_row = 0;
   const auto all = grid::all_cells(grid_);
   fill_beyond_walls(m, first_row);
