@@ -107,10 +107,6 @@ void keep_apart(const ExcessStress& stress, int first_row, const Grid& g, grid::
        [=](int i, int j, int k) { return (s.yz_across(i, j + 1, k) - s.yz_across(i, j, k)) * s.inv_dy[j]; });
 }
 
-Fraction fraction_of(const Material& m, const InterfaceShare& share, const Grid& g) {
-  return {m.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()};
-}
-
 ExcessStress stress_of(const Material& m, const grid::VectorField& velocity, const grid::Field& shear_xy,
                        const grid::Field& shear_yz, Real ratio, const InterfaceShare& share, const Grid& g) {
   return {fraction_of(m, share, g),

@@ -35,7 +35,7 @@ void RowStiffness::apply(const Material& m, const grid::VectorField& before, con
   const Grid& g = grid_;
   const InterfaceShare& share = formulation_.interface_share();
   const RowCoefficients edges{
-      {m.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()},
+      fraction_of(m, share, g),
       m.B.yy.view(),
       cofactors_of(m, g),
       {Real(law_.G), Real(law_.mooney_share)},

@@ -123,10 +123,9 @@ void add_second_constant(const time::State& s, const ElasticLaw<double>& law, co
 
 void add_solid_face_line(const time::State& s, const Grid& g, const ElasticLaw<double>& law,
                          const solid::InterfaceShare& share, int j, int k, PlaneMeans& sums) {
-  const solid::Fraction phi{s.material.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()};
   const auto xy = s.material.B.xy.view();
   const auto shared = share.view();
-  const auto share_of_edge = [=](int i) {
+  const auto share_of_edge = [=, phi = solid::fraction_of(s.material, share, g)](int i) {
     return solid::share_of_solid(phi.edge_xy(i, j, k), shared.xy(i, k));
   };
   double stress = 0;
