@@ -3,10 +3,10 @@
 #include <array>
 
 #include "solver/case/elastic_law.hpp"
+#include "solver/fluid/momentum.hpp"
 #include "solver/parallel/reduce.hpp"
 #include "solver/solid/cofactors.hpp"
 #include "solver/solid/fraction.hpp"
-#include "solver/statistics/momentum_input.hpp"
 
 namespace softwall::statistics {
 
@@ -145,7 +145,7 @@ void add_solid_face_line(const time::State& s, const Grid& g, const ElasticLaw<d
 /// Sums over this rank's part of every plane: one sweep through the fields, line by line.
 PlaneMeans local_sums(const time::State& s, const time::Setup& setup) {
   const Grid& g = setup.grid;
-  const auto m = momentum_input(s, setup);
+  const auto m = fluid::momentum_input(s.velocity, g, setup.viscosity);
   const int solid_row = setup.solid ? setup.solid->first_row() : g.ny + 1;
   const auto law = setup.physics.solid ? law_of<double>(*setup.physics.solid) : ElasticLaw<double>{0};
   PlaneMeans sums(s.elastic, g.ny);
