@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "tests/support/linear_flow.hpp"
 #include "tests/support/momentum_at_a_point.hpp"
-#include "tests/support/momentum_views.hpp"
 
 // What a solid of another viscosity adds to the fluid's viscous force, over mu_f.
 namespace softwall::solid {

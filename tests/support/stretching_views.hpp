@@ -2,7 +2,7 @@
 
 #include "solver/solid/material.hpp"
 #include "solver/solid/transported_b/stretching.hpp"
-#include "tests/support/momentum_views.hpp"
+#include "tests/support/linear_flow.hpp"
 
 namespace softwall::support {
 
