@@ -76,8 +76,13 @@ void ElasticForce::with_stress(const Material& m, int first_row, const Visit& vi
     visit(solid, above, grid_.ny);
   };
   if (law_.is_neo_hookean()) {
-    with(StressOfSolid{m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(),
-                       m.B.yz.view(), law_});
+    with(StressOfSolid{.Bxx = m.B.xx.view(),
+                       .Byy = m.B.yy.view(),
+                       .Bzz = m.B.zz.view(),
+                       .Bxy = m.B.xy.view(),
+                       .Bxz = m.B.xz.view(),
+                       .Byz = m.B.yz.view(),
+                       .law = law_});
   } else {
     with(StressWithCofactors{cofactors_of(m, grid_), law_});
   }

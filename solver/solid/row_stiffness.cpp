@@ -35,19 +35,19 @@ void RowStiffness::apply(const Material& m, const grid::VectorField& before, con
   const Grid& g = grid_;
   const InterfaceShare& share = formulation_.interface_share();
   const RowCoefficients edges{
-      fraction_of(m, share, g),
-      m.B.yy.view(),
-      cofactors_of(m, g),
-      {Real(law_.G), Real(law_.mooney_share)},
-      share.view(),
-      g.inv_dy.data(),
-      g.inv_dy_face.data(),
-      Real((1 + step_limits::kSpareStiffness) * law_.stiffness(1) * weights.dt * weights.dt / 4),
-      Real(weights.viscous),
-      Real(viscosity_ratio_),
-      formulation_.solid_from(),
-      g.ny,
-      std::max(first_row, m.solid_edges_from(g.ny))};
+      .phi = fraction_of(m, share, g),
+      .Byy = m.B.yy.view(),
+      .C = cofactors_of(m, g),
+      .law = {Real(law_.G), Real(law_.mooney_share)},
+      .share = share.view(),
+      .inv_dy = g.inv_dy.data(),
+      .inv_dy_face = g.inv_dy_face.data(),
+      .elastic = Real((1 + step_limits::kSpareStiffness) * law_.stiffness(1) * weights.dt * weights.dt / 4),
+      .viscous = Real(weights.viscous),
+      .ratio = Real(viscosity_ratio_),
+      .solid_edge = formulation_.solid_from(),
+      .top = g.ny,
+      .solid_from = std::max(first_row, m.solid_edges_from(g.ny))};
   const auto driving = Real(weights.driving);
   if (viscosity_ratio_ > 1) {
     apply<true>(edges, before, driving, first_row, velocity);

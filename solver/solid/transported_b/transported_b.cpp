@@ -20,10 +20,24 @@ constexpr double kDust = 0.02;
 Stretching stretching_of(const Material& m, const grid::VectorField& velocity, const SolidEdges& in,
                          const Grid& g) {
   const auto& B = m.B;
-  return {velocity.x.view(), velocity.y.view(), velocity.z.view(), B.xx.view(),          B.yy.view(),
-          B.zz.view(),       B.xy.view(),       B.xz.view(),       B.yz.view(),          in.xy.view(),
-          in.xz.view(),      in.yz.view(),      g.inv_dy.data(),   g.inv_dy_face.data(), g.dy.data(),
-          g.dy_face.data(),  Real(1 / g.dx),    Real(1 / g.dz)};
+  return {.u = velocity.x.view(),
+          .v = velocity.y.view(),
+          .w = velocity.z.view(),
+          .xx = B.xx.view(),
+          .yy = B.yy.view(),
+          .zz = B.zz.view(),
+          .xy = B.xy.view(),
+          .xz = B.xz.view(),
+          .yz = B.yz.view(),
+          .in_xy = in.xy.view(),
+          .in_xz = in.xz.view(),
+          .in_yz = in.yz.view(),
+          .inv_dy = g.inv_dy.data(),
+          .inv_dy_face = g.inv_dy_face.data(),
+          .dy = g.dy.data(),
+          .dy_face = g.dy_face.data(),
+          .inv_dx = Real(1 / g.dx),
+          .inv_dz = Real(1 / g.dz)};
 }
 
 /// rate += source, or = source.
