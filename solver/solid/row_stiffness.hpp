@@ -59,8 +59,18 @@ class RowStiffness {
   template <bool kViscous, bool kNeoHookean>
   void apply_law(const RowCoefficients& edges, const grid::VectorField& before, Real driving, int first_row,
                  grid::VectorField& velocity);
+  template <bool kViscous, class FractionAt, class ShareAt, class StretchAt>
+  void fill_edges(const RowCoefficients& edges, int j, const FractionAt& fraction, const ShareAt& a,
+                  const StretchAt& stretch, Side& side) const;
   template <bool kAbove, class Coefficients>
   void solve(const Systems& systems, const Coefficients& c, View<const Real> before, View<Real> velocity);
+  template <bool kAbove, class Coefficients>
+  void eliminate(const Systems& systems, const Coefficients& c, View<const Real> before,
+                 View<Real> predicted);
+  template <bool kAbove>
+  void eliminate_row(const Systems& systems, int j, const Real* old, const Real* predicted);
+  template <bool kAbove>
+  void substitute_back(const Systems& systems, View<const Real> before, View<Real> velocity);
   /// Row j of a plane; there is one for -1.
   [[nodiscard]] Real* row(Row& rows, int j) const { return rows.data() + std::ptrdiff_t(j + 1) * stride_; }
 
