@@ -81,12 +81,8 @@ std::string introduction(const Case& c, const RunOptions& options, int ranks) {
 /// An attempt that could not begin. A case that has finished before keeps its summary.
 void summarise_failure(const Case& c, const RunOptions& options, const parallel::Communicator& world,
                        const output::AgreedError& error) {
-  Summary s;
-  s.case_id = c.id;
-  s.attempt = options.attempt;
-  s.ranks = world.size();
+  auto s = output::report_on<Summary>(c, options.attempt, world.size());
   s.reason = error.what();
-  s.end_time = c.run.end_time;
   s.started = utc_now();
   output::agree_on_root(world, ExitCode::kFailed, [&] {
     if (!output::says_finished(options.files, c.id)) output::write_summary(options.files, error.code, s);

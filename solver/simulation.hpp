@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <filesystem>
+#include <map>
 #include <string>
 
 #include "solver/case/case.hpp"

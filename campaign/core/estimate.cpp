@@ -66,7 +66,7 @@ double driving_gradient(const Physics& physics) {
 
 }  // namespace
 
-double StepLimits::smallest() const { return std::min({advection, viscosity, elastic, accuracy}); }
+double StepLimits::smallest() const { return std::min({convection, viscosity, elastic, accuracy}); }
 
 StepLimits step_limits(const Physics& physics) {
   const GridSpec& grid = physics.grid;
@@ -74,7 +74,7 @@ StepLimits step_limits(const Physics& physics) {
   const Spacing d{physics.length_x / grid.nx, smallest_difference(faces, 0), physics.length_z / grid.nz};
   const double safety = physics.time_step.safety;
   StepLimits limits;
-  limits.advection = safety * step_limits::convection(kU / d.x + kV / d.y + kW / d.z);
+  limits.convection = safety * step_limits::convection(kU / d.x + kV / d.y + kW / d.z);
   const bool implicit = physics.time_step.viscosity == ViscousTerms::kImplicit;
   limits.viscosity = implicit ? kInfinite : safety * diffusion_limit(d, physics);
   limits.elastic = limits.accuracy = kInfinite;

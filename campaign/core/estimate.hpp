@@ -8,7 +8,7 @@ namespace softwall::campaign {
 /// The step limits at typical turbulent velocities, h/U_b, those of stability with the safety factor;
 /// infinite where there is none. The smallest binds.
 struct StepLimits {
-  double advection = 0.0, viscosity = 0.0, elastic = 0.0, accuracy = 0.0;
+  double convection = 0.0, viscosity = 0.0, elastic = 0.0, accuracy = 0.0;
   [[nodiscard]] double smallest() const;
 };
 [[nodiscard]] StepLimits step_limits(const Physics& physics);

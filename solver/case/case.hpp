@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -145,10 +146,7 @@ struct Case {
 /// "double" or "single", as in a case and in the header of a checkpoint.
 [[nodiscard]] std::string name_of(Precision precision);
 
-/// All mistakes of an input at once, one per line: JSON pointer, what was given, what is allowed.
-struct BadInput;  // solver/case/bad_input.hpp
-
-/// Parse and check a case.json text. Throws BadInput with every mistake.
+/// Parse and check a case.json text. Throws BadInput (bad_input.hpp) with every mistake.
 [[nodiscard]] Case parse_case(const std::string& text);
 [[nodiscard]] Case read_case(const std::filesystem::path& case_file);
 

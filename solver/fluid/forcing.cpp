@@ -52,8 +52,8 @@ double missing(const Flow& here, double bulk_velocity, const parallel::Decomposi
 }  // namespace
 
 /// Over a whole row the sum of d psi/dx is zero: psi is periodic.
-double missing_flow(const PendingVelocity& velocity, const SolidInput& solid, double bulk_velocity,
-                    const Grid& g, const parallel::Decomposition& decomposition) {
+double flow_rate_correction(const PendingVelocity& velocity, const SolidInput& solid, double bulk_velocity,
+                            const Grid& g, const parallel::Decomposition& decomposition) {
   double flow = 0;
   for (int j = 0; j < solid_row(solid, g); ++j)
     flow += velocity.row_sums[static_cast<std::size_t>(j)] * g.dy[j];

@@ -20,9 +20,9 @@ struct PendingVelocity {
 };
 
 /// Returns the velocity that must be added to the fluid everywhere for its bulk velocity to be as given.
-[[nodiscard]] double missing_flow(const PendingVelocity& velocity, const SolidInput& solid,
-                                  double bulk_velocity, const Grid& grid,
-                                  const parallel::Decomposition& decomposition);
+[[nodiscard]] double flow_rate_correction(const PendingVelocity& velocity, const SolidInput& solid,
+                                          double bulk_velocity, const Grid& grid,
+                                          const parallel::Decomposition& decomposition);
 
 /// Adds what is missing to a velocity that stands, and returns it.
 [[nodiscard]] double hold_flow_rate(grid::VectorField& velocity, const SolidInput& solid,

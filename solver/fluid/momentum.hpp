@@ -21,9 +21,20 @@ struct MomentumInput {
   View<const Real> u, v, w;
   const Real *inv_dy, *inv_dy_face, *upper_share;  ///< row arrays, index j
   Real inv_dx, inv_dz;
-  Real
-      nu;  ///< fluid viscosity 1/Re; what the solid's adds is a force of its own (solid/excess_viscosity.hpp)
+  Real nu;  ///< the fluid's, 1/Re; what the solid's adds is a force of its own (solid/excess_viscosity.hpp)
 };
+[[nodiscard]] inline MomentumInput momentum_input(const grid::VectorField& velocity, const Grid& g,
+                                                  double nu) {
+  return {.u = velocity.x.view(),
+          .v = velocity.y.view(),
+          .w = velocity.z.view(),
+          .inv_dy = g.inv_dy.data(),
+          .inv_dy_face = g.inv_dy_face.data(),
+          .upper_share = g.upper_share.data(),
+          .inv_dx = Real(1 / g.dx),
+          .inv_dz = Real(1 / g.dz),
+          .nu = Real(nu)};
+}
 
 /// Viscous stress minus momentum flux, tau_ab - u_a u_b, named flux_ab: component a carried by component b.
 inline Real flux_xx(const MomentumInput& m, int i, int j, int k) {

@@ -87,11 +87,11 @@ void Predictor::advance(grid::VectorField& velocity, const grid::Field& pressure
                         const Stage& stage, double dt) {
   const auto& g = grid_;
   const auto& old = std::as_const(velocity);
-  const MomentumInput m{old.x.view(),    old.y.view(),         old.z.view(),
-                        g.inv_dy.data(), g.inv_dy_face.data(), g.upper_share.data(),
-                        Real(1 / g.dx),  Real(1 / g.dz),       Real(viscosity_)};
-  const Weights w{Real(2 * stage.alpha * dt), Real(stage.alpha * dt), Real(stage.beta * dt),
-                  Real(stage.gamma * dt)};
+  const MomentumInput m = momentum_input(old, g, viscosity_);
+  const Weights w{.pressure = Real(2 * stage.alpha * dt),
+                  .force = Real(stage.alpha * dt),
+                  .now = Real(stage.beta * dt),
+                  .before = Real(stage.gamma * dt)};
   const auto component = [&](grid::Field grid::VectorField::*c) -> Component {
     const View<const Real> before = (old.*c).view();
     const auto view = [=](const grid::VectorField* force) { return force ? (force->*c).view() : before; };

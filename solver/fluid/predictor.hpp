@@ -6,9 +6,12 @@
 #include "solver/grid/stage.hpp"
 
 /// Predicted velocity of a substep, paper eq:NS-num1:
-///   u* = u^{k-1} + dt [ -2 alpha grad p^{k-1} + alpha (f^k + f^{k-1}) + beta R^{k-1} + gamma R^{k-2} ]
-/// with R the convective and viscous terms, those of the solid's own viscosity among them, and f the elastic
-/// force. The uniform driving gradient comes after the projection (forcing.hpp): the two commute.
+///   u* = u^{k-1} + dt [ -2 alpha grad p^{k-1} + alpha (f_now + f_before) + beta R^{k-1} + gamma R^{k-2} ]
+/// with R the convective and viscous terms, those of the solid's own viscosity among them, and f_now and
+/// f_before the elastic forces of SolidInput: f^k and f^{k-1} in the explicit scheme of the paper, equation
+/// (8) of solver/README.md. In the implicit one, the default, both are the force of the middle of the step,
+/// and the result is u^ of (17) in solver/solid/README.md, from which solid/row_stiffness.hpp makes u*. The
+/// uniform driving gradient comes after the projection (forcing.hpp): the two commute.
 namespace softwall::fluid {
 
 class Predictor {

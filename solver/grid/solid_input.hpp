@@ -8,9 +8,11 @@ namespace softwall {
 
 /// What the solid hands to the momentum equation; an absent one (rigid channel) has no rows.
 struct SolidInput {
-  const grid::Field* fraction = nullptr;            ///< phi, ghost cells filled
-  const grid::VectorField* force_now = nullptr;     ///< f^k on the faces
-  const grid::VectorField* force_before = nullptr;  ///< f^{k-1}
+  const grid::Field* fraction = nullptr;  ///< phi, ghost cells filled
+  /// Elastic force on the faces at the end and the beginning of the substep, f^k and f^{k-1}, where the
+  /// stress between rows is explicit; where it is implicit, by default, both are the force of the middle of
+  /// the step, equation (16) of solver/solid/README.md.
+  const grid::VectorField *force_now = nullptr, *force_before = nullptr;
   int first_row = 0;  ///< below it there is no solid; phi and forces are not to be read there
   double viscosity_ratio = 1;
   double ratio_across = 1;  ///< the same for what is explicit of viscosity between rows

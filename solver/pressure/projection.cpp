@@ -25,12 +25,8 @@ class DivergenceAndPsi final : public PoissonRows {
   DivergenceAndPsi(grid::VectorField& velocity, double duration, const Grid& g, grid::Field& psi,
                    double* row_sums, bool wraps)
       : own_u_(velocity.x.view()),
-        u_(std::as_const(velocity.x).view()),
-        v_(std::as_const(velocity.y).view()),
-        w_(std::as_const(velocity.z).view()),
+        divergence_(velocity, g),
         psi_(psi.view()),
-        inv_dx_(Real(1 / g.dx)),
-        inv_dz_(Real(1 / g.dz)),
         inv_duration_(Real(1 / duration)),
         inv_dy_(g.inv_dy.data()),
         row_sums_(row_sums),
@@ -41,12 +37,12 @@ class DivergenceAndPsi final : public PoissonRows {
 
   void give_right_side(int j, int k, Real* row) override {
     if (wraps_) own_u_(nx_, j, k) = own_u_(0, j, k);
-    const auto u = u_, v = v_, w = w_;  // copies, which what the loop writes cannot change
-    const Real inv_duration = inv_duration_, inv_dx = inv_dx_, inv_dy = inv_dy_[j], inv_dz = inv_dz_;
+    const Divergence divergence = divergence_;  // a copy, which what the loop writes cannot change
+    const Real inv_duration = inv_duration_, inv_dy = inv_dy_[j];
     const int nx = nx_;
 #pragma omp simd
-    for (int i = 0; i < nx; ++i) row[i] = inv_duration * divergence(u, v, w, inv_dx, inv_dy, inv_dz, i, j, k);
-    row_sums_[j] += sum_of_row(&u(0, j, k), nx);
+    for (int i = 0; i < nx; ++i) row[i] = inv_duration * divergence.at(i, j, k, inv_dy);
+    row_sums_[j] += sum_of_row(&divergence.u(0, j, k), nx);
   }
 
   void take_solution(int j, int k, const Real* row) override {
@@ -56,9 +52,9 @@ class DivergenceAndPsi final : public PoissonRows {
 
  private:
   grid::View<Real> own_u_;
-  grid::View<const Real> u_, v_, w_;
+  Divergence divergence_;
   grid::View<Real> psi_;
-  Real inv_dx_, inv_dz_, inv_duration_;
+  Real inv_duration_;
   const Real* inv_dy_;
   double* row_sums_;
   int nx_;
@@ -120,11 +116,10 @@ void Projection::correct(grid::VectorField& velocity, grid::Field& pressure, dou
 
 double max_divergence(const grid::VectorField& velocity, const Grid& g,
                       const parallel::Decomposition& decomposition) {
-  const auto u = velocity.x.view(), v = velocity.y.view(), w = velocity.z.view();
-  const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz);
+  const Divergence divergence(velocity, g);
   const Real* inv_dy = g.inv_dy.data();
   const double here = grid::max_cells(grid::all_cells(g), 0.0, [=](int i, int j, int k) {
-    return std::abs(divergence(u, v, w, inv_dx, inv_dy[j], inv_dz, i, j, k));
+    return std::abs(divergence.at(i, j, k, inv_dy[j]));
   });
   return parallel::maximum(decomposition.all(), here);
 }

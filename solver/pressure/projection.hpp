@@ -46,13 +46,22 @@ class Projection {
   std::vector<double> row_sums_;
 };
 
-/// Divergence at the center of cell (i, j, k).
-inline Real divergence(const grid::View<const Real>& u, const grid::View<const Real>& v,
-                       const grid::View<const Real>& w, Real inv_dx, Real inv_dy, Real inv_dz, int i, int j,
-                       int k) {
-  return (u(i + 1, j, k) - u(i, j, k)) * inv_dx + (v(i, j + 1, k) - v(i, j, k)) * inv_dy +
-         (w(i, j, k + 1) - w(i, j, k)) * inv_dz;
-}
+/// Divergence of a velocity at centers.
+struct Divergence {
+  grid::View<const Real> u, v, w;
+  Real inv_dx, inv_dz;
+  Divergence(const grid::VectorField& velocity, const Grid& g)
+      : u(velocity.x.view()),
+        v(velocity.y.view()),
+        w(velocity.z.view()),
+        inv_dx(Real(1 / g.dx)),
+        inv_dz(Real(1 / g.dz)) {}
+  /// In a cell of row j, of which inv_dy is 1 over the height.
+  [[nodiscard]] Real at(int i, int j, int k, Real inv_dy) const {
+    return (u(i + 1, j, k) - u(i, j, k)) * inv_dx + (v(i, j + 1, k) - v(i, j, k)) * inv_dy +
+           (w(i, j, k + 1) - w(i, j, k)) * inv_dz;
+  }
+};
 
 /// Largest |div u| over all ranks, in U_b / h; ghost cells must be filled.
 [[nodiscard]] double max_divergence(const grid::VectorField& velocity, const Grid& grid,

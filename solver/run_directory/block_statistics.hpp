@@ -8,6 +8,9 @@
 /// What the solver has averaged so far, block by block; statistics.h5 holds it. Every number is the
 /// time-weighted MEAN over its block; a block that is still being filled is stored like the others, its
 /// weight says how much of it has been sampled. Units: half height h, bulk velocity U_b, density rho.
+///
+/// All that statistics.h5 and spectra.h5 are made of is named as analysis/ names it, which they are written
+/// for; it stands in this room because the solver, which knows nothing of analysis/, writes it.
 namespace softwall::analysis {
 
 enum class Location { kCenter, kFace };  ///< y_center (ny values) or y_face (ny + 1 values, walls included)

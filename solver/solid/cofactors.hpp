@@ -68,8 +68,14 @@ struct Cofactors {
 };
 
 [[nodiscard]] inline Cofactors cofactors_of(const Material& m, const Grid& g) {
-  return {m.B.xx.view(), m.B.yy.view(), m.B.zz.view(),        m.B.xy.view(),
-          m.B.xz.view(), m.B.yz.view(), g.upper_share.data(), g.ny};
+  return {.Bxx = m.B.xx.view(),
+          .Byy = m.B.yy.view(),
+          .Bzz = m.B.zz.view(),
+          .Bxy = m.B.xy.view(),
+          .Bxz = m.B.xz.view(),
+          .Byz = m.B.yz.view(),
+          .upper_share = g.upper_share.data(),
+          .top = g.ny};
 }
 
 }  // namespace softwall::solid

@@ -70,14 +70,19 @@ void ElasticForce::keep() { std::swap(now_, before_); }
 template <class Visit>
 void ElasticForce::with_stress(const Material& m, int first_row, const Visit& visit) const {
   const int above = std::max(first_row, m.solid_edges_from(grid_.ny));
-  const Fraction phi{m.phi.view(), grid_.upper_share.data(), !share_.is_mean_by_volume()};
   const auto with = [&](const auto& solid) {
-    visit(Stress<std::decay_t<decltype(solid)>>{solid, phi, share_.view()}, first_row, above);
+    visit(Stress<std::decay_t<decltype(solid)>>{solid, fraction_of(m, share_, grid_), share_.view()},
+          first_row, above);
     visit(solid, above, grid_.ny);
   };
   if (law_.is_neo_hookean()) {
-    with(StressOfSolid{m.B.xx.view(), m.B.yy.view(), m.B.zz.view(), m.B.xy.view(), m.B.xz.view(),
-                       m.B.yz.view(), law_});
+    with(StressOfSolid{.Bxx = m.B.xx.view(),
+                       .Byy = m.B.yy.view(),
+                       .Bzz = m.B.zz.view(),
+                       .Bxy = m.B.xy.view(),
+                       .Bxz = m.B.xz.view(),
+                       .Byz = m.B.yz.view(),
+                       .law = law_});
   } else {
     with(StressWithCofactors{cofactors_of(m, grid_), law_});
   }

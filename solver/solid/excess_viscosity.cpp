@@ -10,10 +10,8 @@
 
 namespace softwall::solid {
 
-namespace {
-
 /// What the fluid's viscous stress lacks, where its components live.
-struct ExcessStress {
+struct ExcessViscosity::Stress {
   static constexpr bool kAcrossRowsOnly = false;
   Fraction phi;
   View<const Real> u, v, w;
@@ -62,72 +60,9 @@ struct ExcessStress {
 };
 
 /// The excess stress where the solid is as viscous as the fluid.
-struct ExcessStressAtInterface : ExcessStress {
+struct ExcessViscosity::StressAtInterface : Stress {
   static constexpr bool kAcrossRowsOnly = true;
 };
-
-/// d/dy of a component of the velocity on its edges, of the solid: in rows first_row <= j <= end_row of this
-/// rank's columns and one more on the high sides. Edges from end_row on lie in the solid. phi_at: averaged to
-/// edges.
-template <class FractionAt>
-void find_shear(const grid::Field& component, const FractionAt& phi_at, Real solid_from, const Grid& g,
-                int first_row, int end_row, grid::Field& shear) {
-  const grid::Box box{0, g.nx + 1, first_row, end_row + 1, 0, g.nz + 1};
-  const auto q = component.view();
-  const auto out = shear.view();
-  const Real* inv_dy_face = g.inv_dy_face.data();
-  grid::for_each_cell(
-      box, [=](int i, int j, int k) { out(i, j, k) = (q(i, j, k) - q(i, j - 1, k)) * inv_dy_face[j]; });
-  extend_down(std::array{&shear}, phi_at, solid_from, end_row - 1, box);
-}
-
-void find_shear_xy(const Fraction& phi, const grid::VectorField& velocity, Real solid_from, const Grid& g,
-                   int first_row, int end_row, grid::Field& shear) {
-  const auto on_xy = [=](int i, int j, int k) { return phi.edge_xy(i, j, k); };
-  find_shear(velocity.x, on_xy, solid_from, g, first_row, end_row, shear);
-}
-
-/// Moves what acts between rows from one force to the other.
-void keep_apart(const ExcessStress& stress, int first_row, const Grid& g, grid::VectorField& force,
-                grid::VectorField& across) {
-  const auto move = [&](grid::Field grid::VectorField::*component, int j0, const auto& between_rows) {
-    const auto all = (force.*component).view(), apart = (across.*component).view();
-    grid::for_each_cell(grid::rows(g, j0, g.ny), [=](int i, int j, int k) {
-      const Real part = between_rows(i, j, k);
-      apart(i, j, k) = part;
-      all(i, j, k) -= part;
-    });
-  };
-  const ExcessStress s = stress;
-  move(&grid::VectorField::x, first_row,
-       [=](int i, int j, int k) { return (s.xy_across(i, j + 1, k) - s.xy_across(i, j, k)) * s.inv_dy[j]; });
-  move(&grid::VectorField::y, std::max(first_row, 1),
-       [=](int i, int j, int k) { return (s.yy(i, j, k) - s.yy(i, j - 1, k)) * s.inv_dy_face[j]; });
-  move(&grid::VectorField::z, first_row,
-       [=](int i, int j, int k) { return (s.yz_across(i, j + 1, k) - s.yz_across(i, j, k)) * s.inv_dy[j]; });
-}
-
-Fraction fraction_of(const Material& m, const InterfaceShare& share, const Grid& g) {
-  return {m.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()};
-}
-
-ExcessStress stress_of(const Material& m, const grid::VectorField& velocity, const grid::Field& shear_xy,
-                       const grid::Field& shear_yz, Real ratio, const InterfaceShare& share, const Grid& g) {
-  return {fraction_of(m, share, g),
-          velocity.x.view(),
-          velocity.y.view(),
-          velocity.z.view(),
-          shear_xy.view(),
-          shear_yz.view(),
-          g.inv_dy.data(),
-          g.inv_dy_face.data(),
-          Real(1 / g.dx),
-          Real(1 / g.dz),
-          ratio,
-          share.view()};
-}
-
-}  // namespace
 
 ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const InterfaceShare& share, const Grid& grid,
                                  bool split)
@@ -142,30 +77,88 @@ ExcessViscosity::ExcessViscosity(double ratio, Real solid_from, const InterfaceS
   if (split) across_.emplace(grid, 0);
 }
 
+/// d/dy of a component of the velocity on its edges, of the solid: in rows first_row <= j <= end_row of this
+/// rank's columns and one more on the high sides. Edges from end_row on lie in the solid. phi_at: averaged to
+/// edges.
+template <class FractionAt>
+void ExcessViscosity::find_shear(const grid::Field& component, const FractionAt& phi_at, int first_row,
+                                 int end_row, grid::Field& shear) const {
+  const grid::Box box{0, grid_.nx + 1, first_row, end_row + 1, 0, grid_.nz + 1};
+  const auto q = component.view();
+  const auto out = shear.view();
+  const Real* inv_dy_face = grid_.inv_dy_face.data();
+  grid::for_each_cell(
+      box, [=](int i, int j, int k) { out(i, j, k) = (q(i, j, k) - q(i, j - 1, k)) * inv_dy_face[j]; });
+  extend_down(std::array{&shear}, phi_at, solid_from_, end_row - 1, box);
+}
+
+void ExcessViscosity::find_shear_xy(const Material& m, const grid::VectorField& velocity, int first_row,
+                                    int end_row, grid::Field& shear) const {
+  const Fraction phi = fraction_of(m, share_, grid_);
+  const auto on_xy = [=](int i, int j, int k) { return phi.edge_xy(i, j, k); };
+  find_shear(velocity.x, on_xy, first_row, end_row, shear);
+}
+
+/// Moves what acts between rows from one force to the other.
+void ExcessViscosity::keep_across_apart(const Stress& stress, int first_row) {
+  const auto move = [&](grid::Field grid::VectorField::*component, int j0, const auto& between_rows) {
+    const auto all = (force_.*component).view(), apart = (across_.value().*component).view();
+    grid::for_each_cell(grid::rows(grid_, j0, grid_.ny), [=](int i, int j, int k) {
+      const Real part = between_rows(i, j, k);
+      apart(i, j, k) = part;
+      all(i, j, k) -= part;
+    });
+  };
+  const Stress s = stress;
+  move(&grid::VectorField::x, first_row,
+       [=](int i, int j, int k) { return (s.xy_across(i, j + 1, k) - s.xy_across(i, j, k)) * s.inv_dy[j]; });
+  move(&grid::VectorField::y, std::max(first_row, 1),
+       [=](int i, int j, int k) { return (s.yy(i, j, k) - s.yy(i, j - 1, k)) * s.inv_dy_face[j]; });
+  move(&grid::VectorField::z, first_row,
+       [=](int i, int j, int k) { return (s.yz_across(i, j + 1, k) - s.yz_across(i, j, k)) * s.inv_dy[j]; });
+}
+
+ExcessViscosity::Stress ExcessViscosity::stress_of(const Material& m, const grid::VectorField& velocity,
+                                                   const grid::Field& shear_xy,
+                                                   const grid::Field& shear_yz) const {
+  return {.phi = fraction_of(m, share_, grid_),
+          .u = velocity.x.view(),
+          .v = velocity.y.view(),
+          .w = velocity.z.view(),
+          .shear_xy = shear_xy.view(),
+          .shear_yz = shear_yz.view(),
+          .inv_dy = grid_.inv_dy.data(),
+          .inv_dy_face = grid_.inv_dy_face.data(),
+          .inv_dx = Real(1 / grid_.dx),
+          .inv_dz = Real(1 / grid_.dz),
+          .ratio = ratio_,
+          .share = share_.view()};
+}
+
 void ExcessViscosity::renew(const Material& m, const grid::VectorField& velocity, int first_row) {
   const auto& g = grid_;
   const Fraction phi = fraction_of(m, share_, g);
   const auto on_yz = [=](int i, int j, int k) { return phi.edge_yz(i, j, k); };
   // In a solid as viscous as the fluid nothing is lacking above the interface.
   end_row_ = ratio_ == 1 ? m.solid_edges_from(g.ny) : g.ny;
-  find_shear_xy(phi, velocity, solid_from_, g, first_row, end_row_, shear_xy_);
-  find_shear(velocity.z, on_yz, solid_from_, g, first_row, end_row_, shear_yz_);
-  const ExcessStress stress = stress_of(m, velocity, shear_xy_, shear_yz_, ratio_, share_, g);
+  find_shear_xy(m, velocity, first_row, end_row_, shear_xy_);
+  find_shear(velocity.z, on_yz, first_row, end_row_, shear_yz_);
+  const Stress stress = stress_of(m, velocity, shear_xy_, shear_yz_);
   for (int k = 0; k < g.nz; ++k) {
     if (ratio_ == 1) {
-      divergence_.find(ExcessStressAtInterface{stress}, first_row, end_row_, k, force_);
+      divergence_.find(StressAtInterface{stress}, first_row, end_row_, k, force_);
     } else {
       divergence_.find(stress, first_row, end_row_, k, force_);
     }
   }
-  if (across_) keep_apart(stress, first_row, g, force_, *across_);
+  if (across_) keep_across_apart(stress, first_row);
 }
 
 void ExcessViscosity::add_work(const Material& m, const grid::VectorField& velocity, int first_row,
                                std::vector<double>& work) const {
-  const ExcessStress stress = stress_of(m, velocity, shear_xy_, shear_yz_, ratio_, share_, grid_);
+  const Stress stress = stress_of(m, velocity, shear_xy_, shear_yz_);
   if (ratio_ == 1) {
-    add_stress_work(ExcessStressAtInterface{stress}, velocity, grid_, first_row, end_row_, work);
+    add_stress_work(StressAtInterface{stress}, velocity, grid_, first_row, end_row_, work);
   } else {
     add_stress_work(stress, velocity, grid_, first_row, end_row_, work);
   }
@@ -175,8 +168,8 @@ std::vector<double> ExcessViscosity::shear_stress_sums(const Material& m, const 
                                                        int first_row) const {
   const auto& g = grid_;
   grid::Field shear(g, 1);
-  find_shear_xy(fraction_of(m, share_, g), velocity, solid_from_, g, first_row, g.ny, shear);
-  const ExcessStress stress = stress_of(m, velocity, shear, shear, ratio_, share_, g);
+  find_shear_xy(m, velocity, first_row, g.ny, shear);
+  const Stress stress = stress_of(m, velocity, shear, shear);
   std::vector<double> sums(static_cast<std::size_t>(g.ny) + 1);
   for (int j = first_row; j <= g.ny; ++j) {
     sums[static_cast<std::size_t>(j)] =

@@ -56,6 +56,17 @@ class ExcessViscosity {
                                                       const grid::VectorField& velocity, int first_row) const;
 
  private:
+  struct Stress;
+  struct StressAtInterface;
+  template <class FractionAt>
+  void find_shear(const grid::Field& component, const FractionAt& phi_at, int first_row, int end_row,
+                  grid::Field& shear) const;
+  void find_shear_xy(const Material& material, const grid::VectorField& velocity, int first_row, int end_row,
+                     grid::Field& shear) const;
+  [[nodiscard]] Stress stress_of(const Material& material, const grid::VectorField& velocity,
+                                 const grid::Field& shear_xy, const grid::Field& shear_yz) const;
+  void keep_across_apart(const Stress& stress, int first_row);
+
   Real ratio_;  ///< mu_s / mu_f
   Real solid_from_;
   const InterfaceShare& share_;

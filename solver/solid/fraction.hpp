@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "solver/grid/field.hpp"
+#include "solver/solid/interface_share.hpp"
+#include "solver/solid/material.hpp"
 
 /// Solid fraction at centers and on the edges where shear stress lives: there, that of the control volume
 /// from the center below to the center above, a mean over the two columns (planes) that meet. Where phi
@@ -16,9 +17,6 @@
 /// wave length 2, laminar) the growth rate came out 0.0712, 0.0715 and 0.0726 on 48 x 128, 96 x 128 and 192 x
 /// 256 cells, where linear theory has 0.0756; with this 0.0763, 0.0766 and 0.0758.
 namespace softwall::solid {
-
-using grid::Real;
-using grid::View;
 
 struct Fraction {
   View<const Real> phi;
@@ -48,5 +46,10 @@ struct Fraction {
     return upper_share[j] * of_above + (1 - upper_share[j]) * of_below;
   }
 };
+
+/// As the material's interface is: sharp where stress is not shared by volume.
+[[nodiscard]] inline Fraction fraction_of(const Material& m, const InterfaceShare& share, const Grid& g) {
+  return {m.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()};
+}
 
 }  // namespace softwall::solid

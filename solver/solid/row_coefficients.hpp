@@ -19,11 +19,12 @@ struct RowCoefficients {
   ElasticLaw<Real> law;
   InterfaceShareView share;
   const Real *inv_dy, *inv_dy_face;
-  Real elastic, viscous;  ///< weights
-  Real ratio;             ///< of the viscosities
-  Real solid_edge;        ///< share of an edge from which on it lies in the solid
-  int top;                ///< the edge on the upper wall
-  int solid_from;         ///< edges of this row and of those above lie in the solid altogether
+  Real elastic;     ///< (1 + s) (dt^2 / 4) G
+  Real viscous;     ///< alpha dt times the viscosity of the fluid
+  Real ratio;       ///< of the viscosities
+  Real solid_edge;  ///< share of an edge from which on it lies in the solid
+  int top;          ///< the edge on the upper wall
+  int solid_from;   ///< edges of this row and of those above lie in the solid altogether
 
   template <class InPlane>
   [[nodiscard]] Real between(int j, const InPlane& q) const {

@@ -35,19 +35,19 @@ void RowStiffness::apply(const Material& m, const grid::VectorField& before, con
   const Grid& g = grid_;
   const InterfaceShare& share = formulation_.interface_share();
   const RowCoefficients edges{
-      {m.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()},
-      m.B.yy.view(),
-      cofactors_of(m, g),
-      {Real(law_.G), Real(law_.mooney_share)},
-      share.view(),
-      g.inv_dy.data(),
-      g.inv_dy_face.data(),
-      Real((1 + step_limits::kSpareStiffness) * law_.stiffness(1) * weights.dt * weights.dt / 4),
-      Real(weights.viscous),
-      Real(viscosity_ratio_),
-      formulation_.solid_from(),
-      g.ny,
-      std::max(first_row, m.solid_edges_from(g.ny))};
+      .phi = fraction_of(m, share, g),
+      .Byy = m.B.yy.view(),
+      .C = cofactors_of(m, g),
+      .law = {Real(law_.G), Real(law_.mooney_share)},
+      .share = share.view(),
+      .inv_dy = g.inv_dy.data(),
+      .inv_dy_face = g.inv_dy_face.data(),
+      .elastic = Real((1 + step_limits::kSpareStiffness) * law_.stiffness(1) * weights.dt * weights.dt / 4),
+      .viscous = Real(weights.viscous),
+      .ratio = Real(viscosity_ratio_),
+      .solid_edge = formulation_.solid_from(),
+      .top = g.ny,
+      .solid_from = std::max(first_row, m.solid_edges_from(g.ny))};
   const auto driving = Real(weights.driving);
   if (viscosity_ratio_ > 1) {
     apply<true>(edges, before, driving, first_row, velocity);
@@ -66,24 +66,31 @@ void RowStiffness::apply(const RowCoefficients& edges, const grid::VectorField& 
   }
 }
 
+/// Coefficients on the edges of row j of a plane; fraction(i, j), a(i), stretch(i, j): of these edges.
+template <bool kViscous, class FractionAt, class ShareAt, class StretchAt>
+void RowStiffness::fill_edges(const RowCoefficients& at, int j, const FractionAt& fraction, const ShareAt& a,
+                              const StretchAt& stretch, Side& side) const {
+  const int nx = grid_.nx;
+  Real *const own = side.own.data(), *const above = side.above.data();
+  if (j < at.solid_from) {
+    fill(own, nx,
+         [=](int i) { return at.template shared<kViscous>(j, fraction(i, j), a(i), stretch(i, j)); });
+    if constexpr (kViscous) fill(above, nx, [=](int i) { return at.shared_above(j, fraction(i, j), a(i)); });
+  } else {
+    fill(own, nx, [=](int i) { return at.template in_solid<kViscous>(j, stretch(i, j)); });
+    if constexpr (kViscous) fill(above, nx, [](int) { return Real(0); });
+  }
+}
+
 template <bool kViscous, bool kNeoHookean>
 void RowStiffness::apply_law(const RowCoefficients& at, const grid::VectorField& before, Real driving,
                              int first_row, grid::VectorField& velocity) {
   const Grid& g = grid_;
   const int ny = g.ny, nx = g.nx;
-  /// fraction(i, j), a(i), stretch(i, j): of the edges of a plane.
-  const auto on_edges = [=](const auto& fraction, const auto& a, const auto& stretch) {
-    return [=](Side& side, int j) {
+  const auto on_edges = [=, this](const auto& fraction, const auto& a, const auto& stretch) {
+    return [=, this](Side& side, int j) {
+      fill_edges<kViscous>(at, j, fraction, a, stretch, side);
       Real *const own = side.own.data(), *const above = side.above.data();
-      if (j < at.solid_from) {
-        fill(own, nx,
-             [=](int i) { return at.template shared<kViscous>(j, fraction(i, j), a(i), stretch(i, j)); });
-        if constexpr (kViscous)
-          fill(above, nx, [=](int i) { return at.shared_above(j, fraction(i, j), a(i)); });
-      } else {
-        fill(own, nx, [=](int i) { return at.template in_solid<kViscous>(j, stretch(i, j)); });
-        if constexpr (kViscous) fill(above, nx, [](int) { return Real(0); });
-      }
       // On a wall the material holds fast, half a height from the row beside it; below the band there is
       // none.
       const Real factor = j == 0 || j == ny ? 2 : j == first_row ? 0 : 1;
@@ -115,49 +122,68 @@ void RowStiffness::apply_law(const RowCoefficients& at, const grid::VectorField&
 }
 
 /// Gaussian elimination for the columns of a plane side by side. c(side, j) fills the coefficients of the
-/// edges below the unknowns of row j; beyond both ends q = 0. Each row in turn becomes
-///   q[j] = change[j] + ratio[j] q[j+1] + second_ratio[j] q[j+2].
+/// edges below the unknowns of row j; beyond both ends q = 0.
 template <bool kAbove, class Coefficients>
 void RowStiffness::solve(const Systems& systems, const Coefficients& c, View<const Real> before,
                          View<Real> velocity) {
-  const int nx = grid_.nx, ny = grid_.ny, row0 = systems.row0, k = systems.k;
-  const Real constant = systems.constant;
-  Real* const rest = rest_.data();
-  std::fill(rest, rest + nx, Real(1));
+  eliminate<kAbove>(systems, c, before, velocity);
+  substitute_back<kAbove>(systems, before, velocity);
+}
+
+/// Upwards. Each row in turn becomes
+///   q[j] = change[j] + ratio[j] q[j+1] + second_ratio[j] q[j+2].
+template <bool kAbove, class Coefficients>
+void RowStiffness::eliminate(const Systems& systems, const Coefficients& c, View<const Real> before,
+                             View<Real> predicted) {
+  const int nx = grid_.nx, row0 = systems.row0, k = systems.k;
+  std::fill_n(rest_.data(), nx, Real(1));
   std::fill_n(row(change_, row0 - 1), nx, Real(0));
   if constexpr (kAbove) std::fill_n(row(second_ratio_, row0 - 1), nx, Real(0));
   c(low_, row0);
-  for (int j = row0; j < ny; ++j) {
+  for (int j = row0; j < grid_.ny; ++j) {
     c(high_, j + 1);
-    const Real factor = systems.inverse_height[j];
-    const Real *const low = low_.own.data(), *const high = high_.own.data(),
-                      *const low_above = low_.above.data(), *const high_above = high_.above.data();
-    Real *const q = row(change_, j), *const f = row(ratio_, j), *const f2 = row(second_ratio_, j);
-    const Real *const below = row(change_, j - 1), *const f2_below = row(second_ratio_, j - 1);
-    const Real *const old = &before(0, j, k), *const now = &velocity(0, j, k);
-#pragma omp simd
-    for (int i = 0; i < nx; ++i) {
-      const Real lower = factor * low[i];
-      Real upper = factor * high[i], here = 1 + lower * rest[i];  // rest: 1 - ratio of the row below
-      if constexpr (kAbove) {
-        const Real second = factor * high_above[i];
-        upper -= factor * low_above[i];
-        const Real inverse = 1 / (here + upper);
-        const Real first = upper - second + lower * f2_below[i];
-        f[i] = first * inverse;
-        f2[i] = second * inverse;
-        rest[i] = 1 - f[i];
-        q[i] = (now[i] - old[i] + constant + lower * below[i]) * inverse;
-      } else {
-        const Real inverse = 1 / (here + upper);
-        rest[i] = here * inverse;
-        f[i] = upper * inverse;
-        q[i] = (now[i] - old[i] + constant + lower * below[i]) * inverse;
-      }
-    }
+    eliminate_row<kAbove>(systems, j, &before(0, j, k), &predicted(0, j, k));
     std::swap(low_, high_);
   }
-  for (int j = ny - 1; j >= row0; --j) {
+}
+
+template <bool kAbove>
+void RowStiffness::eliminate_row(const Systems& systems, int j, const Real* old, const Real* predicted) {
+  const int nx = grid_.nx;
+  const Real constant = systems.constant, factor = systems.inverse_height[j];
+  const Real *const low = low_.own.data(), *const high = high_.own.data(),
+                    *const low_above = low_.above.data(), *const high_above = high_.above.data();
+  Real *const q = row(change_, j), *const f = row(ratio_, j), *const f2 = row(second_ratio_, j),
+              *const rest = rest_.data();
+  const Real *const below = row(change_, j - 1), *const f2_below = row(second_ratio_, j - 1);
+#pragma omp simd
+  for (int i = 0; i < nx; ++i) {
+    const Real lower = factor * low[i];
+    Real upper = factor * high[i], here = 1 + lower * rest[i];  // rest: 1 - ratio of the row below
+    if constexpr (kAbove) {
+      const Real second = factor * high_above[i];
+      upper -= factor * low_above[i];
+      const Real inverse = 1 / (here + upper);
+      const Real first = upper - second + lower * f2_below[i];
+      f[i] = first * inverse;
+      f2[i] = second * inverse;
+      rest[i] = 1 - f[i];
+      q[i] = (predicted[i] - old[i] + constant + lower * below[i]) * inverse;
+    } else {
+      const Real inverse = 1 / (here + upper);
+      rest[i] = here * inverse;
+      f[i] = upper * inverse;
+      q[i] = (predicted[i] - old[i] + constant + lower * below[i]) * inverse;
+    }
+  }
+}
+
+/// Downwards; adds q to the velocity before.
+template <bool kAbove>
+void RowStiffness::substitute_back(const Systems& systems, View<const Real> before, View<Real> velocity) {
+  const int nx = grid_.nx, ny = grid_.ny, k = systems.k;
+  const Real constant = systems.constant;
+  for (int j = ny - 1; j >= systems.row0; --j) {
     Real* const q = row(change_, j);
     const Real *const f = row(ratio_, j), *const f2 = row(second_ratio_, j), *const old = &before(0, j, k);
     Real* const now = &velocity(0, j, k);

@@ -94,8 +94,8 @@ void Solid::transport(Material& material, const grid::VectorField& velocity, con
   if (is_last(stage)) limited_cells_ += formulation_->limited_cells() - limited_before;
 }
 
-void Solid::resist(const Material& material, const grid::VectorField& before, const ImplicitWeights& weights,
-                   grid::VectorField& velocity) {
+void Solid::apply_implicit_stress(const Material& material, const grid::VectorField& before,
+                                  const ImplicitWeights& weights, grid::VectorField& velocity) {
   if (row_stiffness_) row_stiffness_->apply(material, before, weights, first_row_, velocity);
 }
 

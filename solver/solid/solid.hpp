@@ -38,11 +38,11 @@ class Solid {
 
   /// Where the stress between rows is implicit: lets it resist what a substep has changed of the velocity
   /// since `before` (row_stiffness.hpp). Elsewhere does nothing.
-  void resist(const Material& material, const grid::VectorField& before, const ImplicitWeights& weights,
-              grid::VectorField& velocity);
+  void apply_implicit_stress(const Material& material, const grid::VectorField& before,
+                             const ImplicitWeights& weights, grid::VectorField& velocity);
 
-  /// phi, the elastic force of moments k and k-1 and the excess viscous force of moment k-1 for the
-  /// predictor.
+  /// phi, the two elastic forces of a substep (grid/solid_input.hpp) and the excess viscous force of moment
+  /// k-1 for the predictor.
   [[nodiscard]] SolidInput input(const Material& material) const;
 
   /// What the stresses of the solid do to the flow at this moment, for statistics: forces on the faces, in

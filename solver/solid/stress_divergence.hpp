@@ -76,22 +76,22 @@ class StressDivergence {
     const int end = nx();
 #pragma omp simd
     for (int i = 0; i < end; ++i) {
-      Real along_x = (xy1[i] - xy0[i]) * inv_dy, along_z = (yz1[i] - yz0[i]) * inv_dy;
+      Real force_x = (xy1[i] - xy0[i]) * inv_dy, force_z = (yz1[i] - yz0[i]) * inv_dy;
       if constexpr (!Stress::kAcrossRowsOnly) {
-        along_x += (s.xx(i, j, k) - s.xx(i - 1, j, k)) * inv_dx + (next_xz[i] - xz[i]) * inv_dz;
-        along_z += (xz[i + 1] - xz[i]) * inv_dx + (s.zz(i, j, k) - s.zz(i, j, k - 1)) * inv_dz;
+        force_x += (s.xx(i, j, k) - s.xx(i - 1, j, k)) * inv_dx + (next_xz[i] - xz[i]) * inv_dz;
+        force_z += (xz[i + 1] - xz[i]) * inv_dx + (s.zz(i, j, k) - s.zz(i, j, k - 1)) * inv_dz;
       }
-      x[i] = along_x;
-      z[i] = along_z;
+      x[i] = force_x;
+      z[i] = force_z;
     }
     if (j == 0) return;
 #pragma omp simd
     for (int i = 0; i < end; ++i) {
-      Real upright = (xy0[i + 1] - xy0[i]) * inv_dx + (next_yz[i] - yz0[i]) * inv_dz;
+      Real force_y = (xy0[i + 1] - xy0[i]) * inv_dx + (next_yz[i] - yz0[i]) * inv_dz;
       if constexpr (!Stress::kAcrossRowsOnly) {
-        upright += (s.yy(i, j, k) - s.yy(i, j - 1, k)) * inv_dy_face;
+        force_y += (s.yy(i, j, k) - s.yy(i, j - 1, k)) * inv_dy_face;
       }
-      y[i] = upright;
+      y[i] = force_y;
     }
   }
 

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "solver/case/elastic_law.hpp"
+#include "solver/fluid/momentum.hpp"
 #include "solver/parallel/reduce.hpp"
 #include "solver/solid/cofactors.hpp"
 #include "solver/solid/stress_work.hpp"
-#include "solver/statistics/momentum_input.hpp"
 
 namespace softwall::statistics {
 
@@ -228,7 +228,8 @@ std::optional<std::vector<double>> EnergyBudget::sample(const time::State& s, ti
                                                         double elapsed) {
   const Grid& g = setup.grid;
   BudgetSums sums(g);
-  const auto with_viscosity = momentum_input(s, setup), without = momentum_input(s, setup, 0);
+  const auto with_viscosity = fluid::momentum_input(s.velocity, g, setup.viscosity),
+             without = fluid::momentum_input(s.velocity, g, 0);
   add_motion(s, without, g, sums);
   const auto power_of = [&](std::size_t term, double factor) {
     return PowerOf{s.velocity, g, sums, kForces + term, kPowers + term, factor};

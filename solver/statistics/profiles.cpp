@@ -3,10 +3,10 @@
 #include <array>
 
 #include "solver/case/elastic_law.hpp"
+#include "solver/fluid/momentum.hpp"
 #include "solver/parallel/reduce.hpp"
 #include "solver/solid/cofactors.hpp"
 #include "solver/solid/fraction.hpp"
-#include "solver/statistics/momentum_input.hpp"
 
 namespace softwall::statistics {
 
@@ -123,10 +123,9 @@ void add_second_constant(const time::State& s, const ElasticLaw<double>& law, co
 
 void add_solid_face_line(const time::State& s, const Grid& g, const ElasticLaw<double>& law,
                          const solid::InterfaceShare& share, int j, int k, PlaneMeans& sums) {
-  const solid::Fraction phi{s.material.phi.view(), g.upper_share.data(), !share.is_mean_by_volume()};
   const auto xy = s.material.B.xy.view();
   const auto shared = share.view();
-  const auto share_of_edge = [=](int i) {
+  const auto share_of_edge = [=, phi = solid::fraction_of(s.material, share, g)](int i) {
     return solid::share_of_solid(phi.edge_xy(i, j, k), shared.xy(i, k));
   };
   double stress = 0;
@@ -146,7 +145,7 @@ void add_solid_face_line(const time::State& s, const Grid& g, const ElasticLaw<d
 /// Sums over this rank's part of every plane: one sweep through the fields, line by line.
 PlaneMeans local_sums(const time::State& s, const time::Setup& setup) {
   const Grid& g = setup.grid;
-  const auto m = momentum_input(s, setup);
+  const auto m = fluid::momentum_input(s.velocity, g, setup.viscosity);
   const int solid_row = setup.solid ? setup.solid->first_row() : g.ny + 1;
   const auto law = setup.physics.solid ? law_of<double>(*setup.physics.solid) : ElasticLaw<double>{0};
   PlaneMeans sums(s.elastic, g.ny);

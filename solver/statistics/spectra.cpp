@@ -1,12 +1,9 @@
 #include "solver/statistics/spectra.hpp"
 
-#include <algorithm>
-
 #include "solver/statistics/interface_columns.hpp"
 #include "solver/statistics/interface_height.hpp"
 #include "solver/statistics/interface_moments.hpp"
 #include "solver/statistics/interface_pairs.hpp"
-#include "solver/statistics/packed_reader.hpp"
 #include "solver/statistics/spectra_arrays.hpp"
 
 namespace softwall::statistics {
@@ -40,20 +37,13 @@ Spectra::Spectra(time::Setup& setup, std::int64_t interval_steps)
 }
 
 void Spectra::sample_step(const time::State& s, double dt) {
-  const double begin = std::max(s.time - dt, setup_.physics.statistics.start_time);
-  if (!flow_ || !(s.time > begin)) return;
-  if (!started_) {
-    started_ = true;
-    last_sample_ = begin;
-  }
+  if (!flow_ || clock_.counted(s.time, dt, setup_.physics.statistics.start_time) == 0) return;
   const bool wave_is_due = waves_ && InterfaceModes::is_due(s, dt), is_due = s.step % interval_steps_ == 0;
   if (!wave_is_due && !is_due) return;
   std::vector<double> heights;
   if (s.elastic) heights = heights_of_solid(s.material.phi, setup_.grid);
   if (wave_is_due) waves_->add(s, heights, setup_);
-  if (!is_due) return;
-  sample_fields(s, s.time - last_sample_, heights);
-  last_sample_ = s.time;
+  if (is_due) sample_fields(s, clock_.take(s.time), heights);
 }
 
 void Spectra::sample_fields(const time::State& s, double weight, const std::vector<double>& heights) {
@@ -71,7 +61,7 @@ void Spectra::sample_fields(const time::State& s, double weight, const std::vect
 Spectra::Packed Spectra::pack() const {
   Packed packed;
   if (!flow_) return packed;
-  packed[kSchedule] = {started_ ? 1.0 : 0.0, last_sample_};
+  packed[kSchedule] = copy(clock_.pack());
   packed[kFlow] = of_flow_->pack([this](std::span<const double> part) { return flow_->whole(part); });
   if (budget_) {
     packed[kBudget] = of_budget_->pack(copy);
@@ -88,11 +78,7 @@ void Spectra::unpack(const Packed& packed) {
     if (const auto found = packed.find(name); found != packed.end()) take(found->second);
   };
   if (!flow_) return;
-  with(kSchedule, [this](std::span<const double> values) {
-    PackedReader reader(values);
-    started_ = reader.number() != 0;
-    last_sample_ = reader.number();
-  });
+  with(kSchedule, [this](std::span<const double> values) { clock_.unpack(values); });
   with(kFlow, [this](std::span<const double> values) {
     of_flow_->unpack(values, flow_->whole_size(),
                      [this](std::span<const double> whole) { return flow_->part(whole); });
@@ -112,11 +98,12 @@ void Spectra::unpack(const Packed& packed) {
 std::vector<analysis::NamedArray> Spectra::arrays() const {
   std::vector<analysis::NamedArray> arrays;
   if (!flow_) return arrays;
+  const double last = clock_.last_sample();
   append_grid(setup_, arrays);
-  append_spectra(*flow_, *of_flow_, last_sample_, setup_, arrays);
-  if (of_budget_) append_budget(*of_budget_, last_sample_, setup_, arrays);
-  if (of_interface_) append_interface(*of_interface_, last_sample_, setup_, arrays);
-  if (of_pairs_) append_pairs(*of_pairs_, last_sample_, setup_, arrays);
+  append_spectra(*flow_, *of_flow_, last, setup_, arrays);
+  if (of_budget_) append_budget(*of_budget_, last, setup_, arrays);
+  if (of_interface_) append_interface(*of_interface_, last, setup_, arrays);
+  if (of_pairs_) append_pairs(*of_pairs_, last, setup_, arrays);
   if (waves_) append_waves(*waves_, arrays);
   if (setup_.decomposition.all().rank() != 0) arrays.clear();
   return arrays;

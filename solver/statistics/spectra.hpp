@@ -10,6 +10,7 @@
 #include "solver/statistics/flow_spectra.hpp"
 #include "solver/statistics/interface_modes.hpp"
 #include "solver/statistics/merging_blocks.hpp"
+#include "solver/statistics/sample_clock.hpp"
 #include "solver/time/setup.hpp"
 #include "solver/time/state.hpp"
 
@@ -49,8 +50,7 @@ class Spectra {
   std::optional<EnergyBudget> budget_;
   std::optional<MergingBlocks> of_flow_, of_budget_, of_interface_, of_pairs_;
   std::optional<InterfaceModes> waves_;
-  bool started_ = false;
-  double last_sample_ = 0;  ///< time up to which samples stand for the flow, h / U_b
+  SampleClock clock_;
 };
 
 }  // namespace softwall::statistics

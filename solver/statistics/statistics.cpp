@@ -80,16 +80,10 @@ Statistics::Statistics(const time::Setup& setup) : setup_(setup), blocks_(empty_
 
 void Statistics::sample_step(const time::State& s, double dt) {
   const auto& spec = setup_.physics.statistics;
-  const double begin = std::max(s.time - dt, spec.start_time), duration = s.time - begin;
-  if (!(duration > 0)) return;
-  if (!started_) {
-    started_ = true;
-    last_sample_ = begin;
-  }
+  const double duration = clock_.counted(s.time, dt, spec.start_time);
+  if (duration == 0) return;
   blocks_.add_step(s.time, duration, s.driving_gradient);
-  if (s.step % spec.interval_steps != 0) return;
-  sample_fields(s, s.time - last_sample_);
-  last_sample_ = s.time;
+  if (s.step % spec.interval_steps == 0) sample_fields(s, clock_.take(s.time));
 }
 
 void Statistics::sample_fields(const time::State& s, double weight) {
@@ -105,17 +99,15 @@ void Statistics::sample_fields(const time::State& s, double weight) {
 
 std::vector<double> Statistics::pack() const {
   std::vector<double> packed = blocks_.pack();
-  packed.push_back(started_ ? 1.0 : 0.0);
-  packed.push_back(last_sample_);
+  const auto of_clock = clock_.pack();
+  packed.insert(packed.end(), of_clock.begin(), of_clock.end());
   return packed;
 }
 
 void Statistics::unpack(std::span<const double> packed) {
-  constexpr std::size_t kOwn = 2;
-  const std::size_t of_blocks = packed.size() - std::min(packed.size(), kOwn);
+  const std::size_t of_blocks = packed.size() - std::min(packed.size(), clock_.pack().size());
   blocks_.unpack(packed.first(of_blocks));
-  started_ = packed[of_blocks] != 0;
-  last_sample_ = packed[of_blocks + 1];
+  clock_.unpack(packed.subspan(of_blocks));
 }
 
 analysis::BlockStatistics Statistics::blocks() const {
@@ -132,7 +124,8 @@ analysis::BlockStatistics Statistics::blocks() const {
     result.series["driving_gradient"].push_back(block.driven / block.stepped);
   }
   // The last block may still be open: nothing after its last sample has been seen.
-  if (!result.end.empty() && !has_reached(last_sample_, result.end.back())) result.end.back() = last_sample_;
+  const double last = clock_.last_sample();
+  if (!result.end.empty() && !has_reached(last, result.end.back())) result.end.back() = last;
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "solver/run_directory/block_statistics.hpp"
 #include "solver/statistics/blocks.hpp"
+#include "solver/statistics/sample_clock.hpp"
 #include "solver/time/setup.hpp"
 #include "solver/time/state.hpp"
 
@@ -37,8 +38,7 @@ class Statistics {
 
   const time::Setup& setup_;
   Blocks blocks_;
-  bool started_ = false;
-  double last_sample_ = 0;  ///< time up to which samples stand for the flow, h / U_b
+  SampleClock clock_;
 };
 
 }  // namespace softwall::statistics

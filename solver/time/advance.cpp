@@ -25,12 +25,12 @@ void start(State& s, Setup& setup) {
 
 namespace {
 
-/// What the solid's stress between rows does to u* where it is implicit (16).
-void resist(State& s, Setup& setup, const Stage& stage, double dt) {
+/// u* from u^ where the solid's stress between rows is implicit, (18) of solver/solid/README.md.
+void apply_implicit_stress(State& s, Setup& setup, const Stage& stage, double dt) {
   if (!setup.solid) return;
-  setup.solid->resist(s.material, setup.predictor.velocity_before(),
-                      {dt, stage.alpha * dt * setup.viscosity, 2 * stage.alpha * dt * s.driving_gradient},
-                      s.velocity);
+  setup.solid->apply_implicit_stress(
+      s.material, setup.predictor.velocity_before(),
+      {dt, stage.alpha * dt * setup.viscosity, 2 * stage.alpha * dt * s.driving_gradient}, s.velocity);
 }
 
 /// The substeps of a closed box: no driving; a prescribed velocity only carries the solid.
@@ -44,7 +44,7 @@ void advance_closed_box(State& s, Setup& setup, double dt) {
       if (viscosity) viscosity->keep(s.velocity, stage, dt);
       setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);
       if (viscosity) viscosity->apply(s.velocity, stage, dt);
-      resist(s, setup, stage, dt);
+      apply_implicit_stress(s, setup, stage, dt);
     });
     fluid::fill_ghosts(s.velocity, setup.walls, setup.halo);
     profile.time(Phase::kPoisson, [&] { setup.box_projection->project(s.velocity, s.pressure, stage, dt); });
@@ -61,8 +61,9 @@ double project_and_drive(State& s, Setup& setup, const Stage& stage, double dt) 
   double push = 0;
   if (setup.bulk_velocity) {
     const parallel::Profile::Scope scope(&setup.profile, Phase::kCorrection);
-    push = fluid::missing_flow({s.velocity.x, projection.psi(), duration, projection.row_sums()},
-                               solid_input(s, setup), *setup.bulk_velocity, setup.grid, setup.decomposition);
+    push = fluid::flow_rate_correction({s.velocity.x, projection.psi(), duration, projection.row_sums()},
+                                       solid_input(s, setup), *setup.bulk_velocity, setup.grid,
+                                       setup.decomposition);
   }
   projection.correct(s.velocity, s.pressure, duration, push);
   return push;
@@ -78,7 +79,7 @@ double advance_channel(State& s, Setup& setup, double dt) {
     });
     profile.time(Phase::kMomentum, [&] {  // u* (8)
       setup.predictor.advance(s.velocity, s.pressure, solid_input(s, setup), stage, dt);
-      resist(s, setup, stage, dt);
+      apply_implicit_stress(s, setup, stage, dt);
     });
     if constexpr (kPoisonsGhosts) poison_ghosts(s.velocity);
     driven += project_and_drive(s, setup, stage, dt);

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "solver/fluid/momentum.hpp"
+#include "tests/support/fields.hpp"
 #include "tests/support/momentum_at_a_point.hpp"
-#include "tests/support/momentum_views.hpp"
 
 // What the convective and viscous terms may not do: create kinetic energy or momentum.
 namespace softwall::fluid {
@@ -27,7 +27,7 @@ class Conservation : public testing::TestWithParam<double> {
 
 TEST_P(Conservation, ConvectionKeepsTheKineticEnergy) {
   const auto velocity = support::random_solenoidal_velocity(d, 3);
-  const auto m = support::momentum_input(velocity, d.grid, 0);
+  const auto m = momentum_input(velocity, d.grid, 0);
   const double power_x =
       integral(d, false, [&](int i, int j, int k) { return m.u(i, j, k) * momentum_x(m, i, j, k); });
   const double power_y =
@@ -45,7 +45,7 @@ TEST_P(Conservation, ConvectionKeepsTheKineticEnergy) {
 
 TEST_P(Conservation, ConvectionKeepsTheMomentumAlongTheWalls) {
   const auto velocity = support::random_solenoidal_velocity(d, 3);
-  const auto m = support::momentum_input(velocity, d.grid, 0);
+  const auto m = momentum_input(velocity, d.grid, 0);
   const double size =
       integral(d, false, [&](int i, int j, int k) { return std::abs(momentum_x(m, i, j, k)); });
   EXPECT_NEAR(integral(d, false, [&](int i, int j, int k) { return momentum_x(m, i, j, k); }), 0,
@@ -58,7 +58,7 @@ TEST_P(Conservation, ViscosityTakesMomentumOnlyThroughTheWalls) {
   const auto& g = d.grid;
   const double nu = 0.01;
   const auto velocity = support::random_solenoidal_velocity(d, 3);
-  const auto m = support::momentum_input(velocity, g, nu);
+  const auto m = momentum_input(velocity, g, nu);
   const auto wall = [&](int j) {  // viscous force of one wall on the flow above or below it
     const double here = grid::sum_cells(grid::rows(g, j, j + 1), [&](int i, int row, int k) {
       return m.nu * (m.u(i, row, k) - m.u(i, row - 1, k)) * g.inv_dy_face[row];
@@ -73,8 +73,7 @@ TEST_P(Conservation, ViscosityTakesMomentumOnlyThroughTheWalls) {
 
 TEST_P(Conservation, ViscosityTakesKineticEnergy) {
   const auto velocity = support::random_solenoidal_velocity(d, 3);
-  const auto viscous = support::momentum_input(velocity, d.grid, 1),
-             inviscid = support::momentum_input(velocity, d.grid, 0);
+  const auto viscous = momentum_input(velocity, d.grid, 1), inviscid = momentum_input(velocity, d.grid, 0);
   const double power = integral(d, false, [&](int i, int j, int k) {
     return viscous.u(i, j, k) * (momentum_x(viscous, i, j, k) - momentum_x(inviscid, i, j, k));
   });

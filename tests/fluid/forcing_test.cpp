@@ -94,8 +94,8 @@ TEST_P(Forcing, IsKnownBeforeTheProjection) {
     grid::Field pressure(d.grid, 1);
     pressure::Projection projection(d.grid, d.decomposition, d.halo);
     projection.find_psi(velocity, duration);
-    const double push = missing_flow({velocity.x, projection.psi(), duration, projection.row_sums()}, solid,
-                                     1.0, d.grid, d.decomposition);
+    const double push = flow_rate_correction({velocity.x, projection.psi(), duration, projection.row_sums()},
+                                             solid, 1.0, d.grid, d.decomposition);
     EXPECT_GT(std::abs(push), 0.1);
     projection.correct(velocity, pressure, duration, push);
     grid::Field none(d.grid, 3);

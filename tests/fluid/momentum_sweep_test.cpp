@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/fields.hpp"
 #include "tests/support/momentum_at_a_point.hpp"
-#include "tests/support/momentum_views.hpp"
 
 // The sweep remembers fluxes from cell to cell; it must find what the kernels find in each cell alone.
 namespace softwall::fluid {
@@ -36,7 +36,7 @@ TEST(MomentumSweep, FindsWhatTheKernelsFindInEachCell) {
   for (const Domain::Size& n : {Domain::Size{9, 53, 4}, {16, 24, 3}, {5, 4, 5}}) {
     Domain d(MPI_COMM_WORLD, n, {}, support::faces(n.ny, 2, 1.4));
     const auto velocity = support::random_velocity(d, 7);
-    const auto m = support::momentum_input(velocity, d.grid, 0.01);
+    const auto m = momentum_input(velocity, d.grid, 0.01);
     for (const int j0 : {0, 2}) expect_the_kernels_values(d, m, j0, n.ny);
   }
 }

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/linear_flow.hpp"
 #include "tests/support/momentum_at_a_point.hpp"
-#include "tests/support/momentum_views.hpp"
 
 // Each stencil is exact on the polynomials that its order promises.
 namespace softwall::fluid {
@@ -28,7 +28,7 @@ class Momentum : public testing::Test {
     set_everywhere(velocity.x, d.grid, kFaceX, u);
     set_everywhere(velocity.y, d.grid, kFaceY, v);
     set_everywhere(velocity.z, d.grid, kFaceZ, w);
-    const auto m = support::momentum_input(velocity, d.grid, nu);
+    const auto m = momentum_input(velocity, d.grid, nu);
     return {momentum_x(m, kI, kJ, kK), momentum_y(m, kI, kJ, kK), momentum_z(m, kI, kJ, kK)};
   }
 };
@@ -38,7 +38,7 @@ double zero(double, double, double) { return 0; }
 TEST_F(Momentum, ConvectionIsExactForLinearFlow) {
   const auto& L = support::kGeneralFlow;
   const auto velocity = L.on(d.grid);
-  const auto m = support::momentum_input(velocity, d.grid, 0);
+  const auto m = momentum_input(velocity, d.grid, 0);
   const auto& g = d.grid;
   const double xf = kI * g.dx, xc = xf + g.dx / 2, yf = g.y_face[kJ], yc = g.y_center[kJ], zf = kK * g.dz,
                zc = zf + g.dz / 2;

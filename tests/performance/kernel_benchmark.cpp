@@ -50,9 +50,7 @@ struct Piece {
 void momentum(benchmark::State& state) {
   const Piece p;
   const Grid& g = p.g;
-  const fluid::MomentumInput m{p.velocity.x.view(), p.velocity.y.view(),  p.velocity.z.view(),
-                               g.inv_dy.data(),     g.inv_dy_face.data(), g.upper_share.data(),
-                               Real(1 / g.dx),      Real(1 / g.dz),       Real(1e-3)};
+  const fluid::MomentumInput m = fluid::momentum_input(p.velocity, g, 1e-3);
   fluid::MomentumSweep sweep(g);
   for (auto _ : state)
     sweep.for_each_row(m, 0, g.ny,

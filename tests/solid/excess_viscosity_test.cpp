@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "tests/support/linear_flow.hpp"
 #include "tests/support/momentum_at_a_point.hpp"
-#include "tests/support/momentum_views.hpp"
 
 // What a solid of another viscosity adds to the fluid's viscous force, over mu_f.
 namespace softwall::solid {
@@ -41,8 +41,8 @@ TEST_P(ExcessViscosityTest, InSolidAloneIsTheFluidsForceTimesTheExcess) {
     const auto velocity = support::random_velocity(d, 3);
     ExcessViscosity excess(kRatio, kSolidFrom, by_volume, g);
     excess.renew(m, velocity, 0);
-    const auto viscous = support::momentum_input(velocity, g, 1),
-               inviscid = support::momentum_input(velocity, g, 0);
+    const auto viscous = fluid::momentum_input(velocity, g, 1),
+               inviscid = fluid::momentum_input(velocity, g, 0);
     const double more = kExcess * fraction;
     for (int k = 0; k < g.nz; ++k) {
       for (int j = 0; j < g.ny; ++j) {

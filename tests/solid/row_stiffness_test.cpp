@@ -58,7 +58,7 @@ TEST_P(RowStiffnessOf, SolvesItsSystem) {
   auto velocity = support::random_velocity(d, 6);
   RowStiffness(spec, formulation, g).apply(m, before, {kDt, kViscous, kDriving}, kFirstRow, velocity);
 
-  const Fraction phi{m.phi.view(), g.upper_share.data(), !formulation.interface_share().is_mean_by_volume()};
+  const Fraction phi = fraction_of(m, formulation.interface_share(), g);
   const double elastic = (1 + step_limits::kSpareStiffness) * kG * kDt * kDt / 4;
   const double excess = ratio > 1 ? kViscous * (ratio - 1) : 0;
   const auto check = [&](grid::Field grid::VectorField::*component, double constant, const auto& share,

@@ -11,7 +11,6 @@
 #include "solver/solid/excess_viscosity.hpp"
 #include "tests/statistics/flows.hpp"
 #include "tests/support/momentum_at_a_point.hpp"
-#include "tests/support/momentum_views.hpp"
 
 namespace softwall::statistics {
 namespace {
@@ -71,7 +70,7 @@ TEST(Profiles, StressesAreTheFluxesOfTheMomentumEquation) {
     time::Setup setup(physics, MPI_COMM_WORLD);
     const auto s = rough_state(setup);
     const auto& g = setup.grid;
-    const auto m = support::momentum_input(s.velocity, g, setup.viscosity);
+    const auto m = fluid::momentum_input(s.velocity, g, setup.viscosity);
     const solid::InterfaceShare by_volume(solid::kMeanByVolume, g);
     solid::ExcessViscosity excess(s.elastic ? physics.solid->viscosity_ratio : 1, 0.9, by_volume, g);
     solid::ElasticForce elastic({s.elastic ? grid::Real(physics.solid->G) : 0}, by_volume, g);

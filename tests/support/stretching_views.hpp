@@ -2,16 +2,31 @@
 
 #include "solver/solid/material.hpp"
 #include "solver/solid/transported_b/stretching.hpp"
-#include "tests/support/momentum_views.hpp"
+#include "tests/support/linear_flow.hpp"
 
 namespace softwall::support {
 
 /// The stretching kernels' input; phi = 1 serves as the mark of edges in the solid.
 inline solid::Stretching stretching(const solid::Material& m, const VectorField& velocity, const Grid& g) {
-  return {velocity.x.view(), velocity.y.view(), velocity.z.view(), m.B.xx.view(),        m.B.yy.view(),
-          m.B.zz.view(),     m.B.xy.view(),     m.B.xz.view(),     m.B.yz.view(),        m.phi.view(),
-          m.phi.view(),      m.phi.view(),      g.inv_dy.data(),   g.inv_dy_face.data(), g.dy.data(),
-          g.dy_face.data(),  Real(1 / g.dx),    Real(1 / g.dz)};
+  const auto all = m.phi.view();
+  return {.u = velocity.x.view(),
+          .v = velocity.y.view(),
+          .w = velocity.z.view(),
+          .xx = m.B.xx.view(),
+          .yy = m.B.yy.view(),
+          .zz = m.B.zz.view(),
+          .xy = m.B.xy.view(),
+          .xz = m.B.xz.view(),
+          .yz = m.B.yz.view(),
+          .in_xy = all,
+          .in_xz = all,
+          .in_yz = all,
+          .inv_dy = g.inv_dy.data(),
+          .inv_dy_face = g.inv_dy_face.data(),
+          .dy = g.dy.data(),
+          .dy_face = g.dy_face.data(),
+          .inv_dx = Real(1 / g.dx),
+          .inv_dz = Real(1 / g.dz)};
 }
 
 /// B the same in every cell, ghost cells too; phi = 1.

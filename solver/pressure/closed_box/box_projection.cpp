@@ -1,7 +1,5 @@
 #include "solver/pressure/closed_box/box_projection.hpp"
 
-#include <utility>
-
 #include "solver/grid/cell_loop.hpp"
 #include "solver/pressure/projection.hpp"
 
@@ -13,18 +11,16 @@ BoxProjection::BoxProjection(const Grid& grid, const parallel::Decomposition& de
 void BoxProjection::project(grid::VectorField& velocity, grid::Field& pressure, const Stage& stage,
                             double dt) {
   const auto& g = grid_;
-  const Real duration = static_cast<Real>(2 * stage.alpha * dt), inv_dx = static_cast<Real>(1 / g.dx),
-             inv_dz = static_cast<Real>(1 / g.dz);
+  const Real duration = static_cast<Real>(2 * stage.alpha * dt), inv_dx = static_cast<Real>(1 / g.dx);
   const Real *inv_dy = g.inv_dy.data(), *inv_dy_face = g.inv_dy_face.data();
   const auto u = velocity.x.view(), v = velocity.y.view();
-  const auto& old = std::as_const(velocity);
-  const auto cu = old.x.view(), cv = old.y.view(), cw = old.z.view();
+  const Divergence divergence(velocity, g);
   double* const dense = solver_.values();
   const std::ptrdiff_t row = g.nx;
   const auto all = grid::all_cells(g);
 
   grid::for_each_cell(all, [=](int i, int j, int k) {
-    dense[i + j * row] = double(divergence(cu, cv, cw, inv_dx, inv_dy[j], inv_dz, i, j, k)) / duration;
+    dense[i + j * row] = double(divergence.at(i, j, k, inv_dy[j])) / duration;
   });
   solver_.solve(0);
   const auto psi = psi_.view(), p = pressure.view();

@@ -41,14 +41,13 @@ Damage::Damage(const ElasticLaw<Real>& law, const Grid& grid)
       rows_(static_cast<std::size_t>(grid.nz + 1) * static_cast<std::size_t>(grid.ny), 0) {}
 
 int Damage::finish_row(int j, int k, const View<Real>& B_xx, const View<Real>& B_zz) {
-  const auto worn = values_.view();
-  Real* const row = &worn(0, j, k);
+  Real* const row = &values_.view()(0, j, k);
   const bool any = count(row - 1, nx_ + 1, [](Real damage) { return damage > 0; }) > 0;
   rows_[place(j, k)] = any ? 1 : 0;
   if (!any) return 0;
   const int torn = count(row, nx_, [](Real damage) { return damage == kTorn; });
   for (int i = -1; i < nx_; ++i) {
-    if (row[i] > 0) row[i] = std::min(row[i], kWhole) * rate_.of(B_xx(i, j, k), B_zz(i, j, k), row[i]);
+    if (row[i] > 0) row[i] = std::min(row[i], kFullDamage) * rate_.of(B_xx(i, j, k), B_zz(i, j, k), row[i]);
   }
   return torn;
 }
@@ -61,20 +60,18 @@ void Mending::find(const Damage& damage, const grid::VectorField& d, const RowsO
                    double duration) {
   const auto x = d.x.view(), y = d.y.view(), z = d.z.view();
   const auto to_x = moves_.x.view(), to_y = moves_.y.view(), to_z = moves_.z.view();
-  const auto worn = damage.view();
+  const auto rate = damage.view();
   const Real time = Real(duration);
-  const auto share = [=](Real rate, Real other_rate) {
-    return std::min(Real(1), time * std::max(rate, other_rate));
-  };
+  const auto share = [=](Real one, Real other) { return std::min(Real(1), time * std::max(one, other)); };
   const int k = rows.k, slot = k % planes_;
   for (int j = rows.j0; j < grid_.ny; ++j) {
     if (!damage.touches(j, k)) continue;
     const int below = j > rows.j0 ? j - 1 : j;
     grid::for_each_cell({0, grid_.nx, j, j + 1, k, k + 1}, [=](int i, int, int) {
-      const Real here = worn(i, j, k);
-      to_x(i, j, slot) = share(here, worn(i - 1, j, k)) * way_to_neighbours(x, i, j, k);
-      to_y(i, j, slot) = share(here, worn(i, below, k)) * way_to_neighbours(y, i, j, k);
-      to_z(i, j, slot) = share(here, worn(i, j, k - 1)) * way_to_neighbours(z, i, j, k);
+      const Real here = rate(i, j, k);
+      to_x(i, j, slot) = share(here, rate(i - 1, j, k)) * way_to_neighbours(x, i, j, k);
+      to_y(i, j, slot) = share(here, rate(i, below, k)) * way_to_neighbours(y, i, j, k);
+      to_z(i, j, slot) = share(here, rate(i, j, k - 1)) * way_to_neighbours(z, i, j, k);
     });
   }
 }

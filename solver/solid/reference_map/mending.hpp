@@ -12,7 +12,7 @@
 /// Mends a map that the grid has torn. Under a surface that the grid cannot resolve (waves about to break),
 /// neighbouring points lose each other: det A departs from 1 by much, or the stretch exceeds anything that
 /// the layer could do. No stress brings such points together again, and left alone they end the run. So a
-/// point beside such a cell moves towards the mean of its six neighbours, where the damage is whole within
+/// point beside such a cell moves towards the mean of its six neighbours, where the damage is full within
 /// the time in which signals cross a cell (MendingRate). Cells whose damage is twice as large are torn.
 /// They are counted (`limited_cells`), and the count tells how far to trust a run.
 ///
@@ -23,17 +23,17 @@ namespace softwall::solid::reference_map {
 
 /// Damage is 0 where |det A - 1| and the trace of B are at most `from`, and grows by 1 with every `unit`
 /// beyond. B of a sheared layer with du/dy = P / G at the paper's softest wall has a trace below 7.
-struct Wear {
+struct DamageScale {
   Real from, unit;
   [[nodiscard]] constexpr Real of(Real value) const { return (value - from) / unit; }
 };
-inline constexpr Wear kVolumeWear{Real(0.1), Real(0.3)}, kStretchWear{10, 10};
-inline constexpr Real kWhole = 1, kTorn = 2;
+inline constexpr DamageScale kVolumeDamage{Real(0.1), Real(0.3)}, kStretchDamage{10, 10};
+inline constexpr Real kFullDamage = 1, kTorn = 2;
 
 /// Between 0 and kTorn; 0 in cells without solid.
 [[gnu::always_inline]] inline Real damage_of(Real phi, Real determinant, Real trace_of_B) {
   const Real off = determinant < 1 ? 1 - determinant : determinant - 1;
-  const Real volume = kVolumeWear.of(off), stretch = kStretchWear.of(trace_of_B);
+  const Real volume = kVolumeDamage.of(off), stretch = kStretchDamage.of(trace_of_B);
   const Real worse = volume > stretch ? volume : stretch, bounded = worse < kTorn ? worse : kTorn;
   return phi > 0 && bounded > 0 ? bounded : Real(0);
 }
@@ -50,7 +50,7 @@ struct MendingRate {
   MendingRate(const ElasticLaw<Real>& law, const Grid& grid);
   [[nodiscard]] Real of(Real B_xx, Real B_zz, Real damage) const {
     constexpr Real kHaste = 6;
-    const Real least = kLargestStretch * (damage - kWhole) / (kTorn - kWhole);
+    const Real least = kLargestStretch * (damage - kFullDamage) / (kTorn - kFullDamage);
     return kHaste * (std::sqrt(wave_x * std::max(B_xx, least) + wave_z * std::max(B_zz, least)) + flow);
   }
 };
@@ -61,7 +61,7 @@ class Damage {
   Damage(const ElasticLaw<Real>& law, const Grid& grid);
 
   /// At centers, with one column and plane more on the low sides. Where a row is finished (`finish_row`) it
-  /// holds the damage, at most kWhole, times the rate of mending.
+  /// holds the damage, at most kFullDamage, times the rate of mending.
   [[nodiscard]] View<Real> view() { return values_.view(); }
   [[nodiscard]] View<const Real> view() const { return values_.view(); }
   /// Row j of plane -1 <= k < nz, from column -1 on. Returns the number of its torn cells from column 0 on.

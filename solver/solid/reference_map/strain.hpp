@@ -137,8 +137,14 @@ struct Strain {
 
 /// The kernels' view of a displacement, whose ghost cells they read.
 [[nodiscard]] inline Strain strain_of(const grid::VectorField& d, const grid::Grid& g) {
-  return {d.x.view(),           d.y.view(),           d.z.view(),     g.inv_dy.data(),
-          g.inv_dy_face.data(), g.upper_share.data(), Real(1 / g.dx), Real(1 / g.dz)};
+  return {.x = d.x.view(),
+          .y = d.y.view(),
+          .z = d.z.view(),
+          .inv_dy = g.inv_dy.data(),
+          .inv_dy_face = g.inv_dy_face.data(),
+          .upper_share = g.upper_share.data(),
+          .inv_dx = Real(1 / g.dx),
+          .inv_dz = Real(1 / g.dz)};
 }
 
 }  // namespace softwall::solid::reference_map

@@ -115,7 +115,7 @@ void StrainSweep::average(FaceRow& row, const Strain& s, int j, int k) const {
 
 void StrainSweep::centers(const Strain& s, View<const Real> phi, int j, int k, const StrainFields& to,
                           Damage& damage) {
-  const auto worn = damage.view();
+  const auto damage_at = damage.view();
   const auto x = s.x, y = s.y, z = s.z;
   const auto &a = low_.to_center, &b = high_.to_center;
   const Real *const xy0 = first(a.xy), *const xy1 = first(b.xy), *const yx0 = first(a.yx),
@@ -137,7 +137,7 @@ void StrainSweep::centers(const Strain& s, View<const Real> phi, int j, int k, c
     to.volume_error(i, j, k) = volume_error(phi(i, j, k), J);
     const Real xx = of.factor * A.square_x() + of.rest, yy = of.factor * A.square_y() + of.rest,
                zz = of.factor * A.square_z() + of.rest;
-    worn(i, j, k) = damage_of(phi(i, j, k), J, xx + yy + zz);
+    damage_at(i, j, k) = damage_of(phi(i, j, k), J, xx + yy + zz);
     to.xx(i, j, k) = bounded(xx);
     to.yy(i, j, k) = bounded(yy);
     to.zz(i, j, k) = bounded(zz);

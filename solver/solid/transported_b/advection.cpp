@@ -12,9 +12,36 @@ Advection::Advection(const Grid& grid, WenoWeights weights)
     plane.resize(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny));
 }
 
+namespace {
+
+/// What flows through the low faces of a row of control volumes, in each direction.
+template <WenoWeights kWeights, class PointVelocity>
+struct FluxesOfRows {
+  View<const Real> q;
+  const PointVelocity& velocity;
+
+  void x(int j, int k, int end, Real* out) const {
+#pragma omp simd
+    for (int i = 0; i < end; ++i) out[i] = upwind_flux<kWeights>(&q(i, j, k), 1, velocity.x(i, j, k));
+  }
+  void y(int j, int k, int end, Real* out) const {
+#pragma omp simd
+    for (int i = 0; i < end; ++i)
+      out[i] = upwind_flux<kWeights>(&q(i, j, k), q.stride_y, velocity.y(i, j, k));
+  }
+  void z(int j, int k, int end, Real* out) const {
+#pragma omp simd
+    for (int i = 0; i < end; ++i)
+      out[i] = upwind_flux<kWeights>(&q(i, j, k), q.stride_z, velocity.z(i, j, k));
+  }
+};
+
+}  // namespace
+
 template <WenoWeights kWeights, class PointVelocity>
 void Advection::sweep(View<const Real> q, const PointVelocity& velocity, int first_row, View<Real> rate) {
   const Grid& g = grid_;
+  const FluxesOfRows<kWeights, PointVelocity> fluxes{q, velocity};
   const Real inv_dx = Real(1 / g.dx), inv_dz = Real(1 / g.dz);
   const Real* inv_height = PointVelocity::kOnYFace ? g.inv_dy_face.data() : g.inv_dy.data();
   const int j0 = PointVelocity::kOnYFace ? std::max(first_row, 1) : first_row;
@@ -24,33 +51,23 @@ void Advection::sweep(View<const Real> q, const PointVelocity& velocity, int fir
        *high_z = flux_z_[1].data();
 
   const bool flat = g.nz_global == 1;  // what enters through one side in z leaves through the other
-  const auto z_row = [&](int j, int k, Real* out) {
-    if (flat) return;
-#pragma omp simd
-    for (int i = 0; i < nx; ++i) out[i] = upwind_flux<kWeights>(&q(i, j, k), q.stride_z, velocity.z(i, j, k));
-  };
-  for (int j = j0; j < g.ny; ++j) z_row(j, 0, low_z + std::ptrdiff_t(j) * nx);
+  const auto in_plane = [=](Real* plane, int j) { return plane + std::ptrdiff_t(j) * nx; };
+  for (int j = j0; j < g.ny && !flat; ++j) fluxes.z(j, 0, nx, in_plane(low_z, j));
   for (int k = 0; k < g.nz; ++k) {
     // Around a y face the lowest volume begins at the first center, where v need not vanish as it does on the
     // wall.
-    const bool from_wall_cell = PointVelocity::kOnYFace && first_row == 0;
-#pragma omp simd
-    for (int i = 0; i < nx; ++i) {
-      low_y[i] =
-          from_wall_cell ? upwind_flux<kWeights>(&q(i, j0, k), q.stride_y, velocity.y(i, j0, k)) : Real(0);
+    if (PointVelocity::kOnYFace && first_row == 0) {
+      fluxes.y(j0, k, nx, low_y);
+    } else {
+      std::fill_n(low_y, nx, Real(0));
     }
     for (int j = j0; j < g.ny; ++j) {
-#pragma omp simd
-      for (int i = 0; i <= nx; ++i) x[i] = upwind_flux<kWeights>(&q(i, j, k), 1, velocity.x(i, j, k));
-        // A center's top face may be the wall, where v = 0; a y-face quantity's top neighbour is then the
-        // wall row.
-#pragma omp simd
-      for (int i = 0; i < nx; ++i) {
-        high_y[i] = upwind_flux<kWeights>(&q(i, j + 1, k), q.stride_y, velocity.y(i, j + 1, k));
-      }
-      Real* const z0 = low_z + std::ptrdiff_t(j) * nx;
-      Real* const z1 = high_z + std::ptrdiff_t(j) * nx;
-      z_row(j, k + 1, z1);
+      fluxes.x(j, k, nx + 1, x);
+      // A center's top face may be the wall, where v = 0; a y-face quantity's top neighbour is then the wall
+      // row.
+      fluxes.y(j + 1, k, nx, high_y);
+      Real *const z0 = in_plane(low_z, j), *const z1 = in_plane(high_z, j);
+      if (!flat) fluxes.z(j, k + 1, nx, z1);
       Real* const out = &rate(0, j, k);
       const Real inv_dy = inv_height[j];
 #pragma omp simd

@@ -30,10 +30,24 @@ Real threshold_of(const SolidSpec& spec) {
 Stretching stretching_of(const Material& m, const grid::VectorField& velocity, const SolidEdges& in,
                          const Grid& g) {
   const auto& B = m.B;
-  return {velocity.x.view(), velocity.y.view(), velocity.z.view(), B.xx.view(),          B.yy.view(),
-          B.zz.view(),       B.xy.view(),       B.xz.view(),       B.yz.view(),          in.xy.view(),
-          in.xz.view(),      in.yz.view(),      g.inv_dy.data(),   g.inv_dy_face.data(), g.dy.data(),
-          g.dy_face.data(),  Real(1 / g.dx),    Real(1 / g.dz)};
+  return {.u = velocity.x.view(),
+          .v = velocity.y.view(),
+          .w = velocity.z.view(),
+          .xx = B.xx.view(),
+          .yy = B.yy.view(),
+          .zz = B.zz.view(),
+          .xy = B.xy.view(),
+          .xz = B.xz.view(),
+          .yz = B.yz.view(),
+          .in_xy = in.xy.view(),
+          .in_xz = in.xz.view(),
+          .in_yz = in.yz.view(),
+          .inv_dy = g.inv_dy.data(),
+          .inv_dy_face = g.inv_dy_face.data(),
+          .dy = g.dy.data(),
+          .dy_face = g.dy_face.data(),
+          .inv_dx = Real(1 / g.dx),
+          .inv_dz = Real(1 / g.dz)};
 }
 
 /// rate += source, or = source.
@@ -151,14 +165,14 @@ void TransportedB::show_planes(PlaneFollower& follower) const {
 
 void TransportedB::make_consistent(Material& m, int first_row) {
   if (normal_) {
-    surround(m);
+    extend_body(m);
   } else {
-    line(m, first_row);
+    extend_layer(m, first_row);
   }
 }
 
 /// A layer needs its ghost cells, its skin and positive definiteness, each of which needs the one before.
-void TransportedB::line(Material& m, int first_row) {
+void TransportedB::extend_layer(Material& m, int first_row) {
   const grid::RowSpan span{std::max(-Material::kGhost, first_row - Material::kGhost),
                            grid_.ny + Material::kGhost};
   const auto band = grid::rows(grid_, first_row, grid_.ny);
@@ -190,7 +204,7 @@ void TransportedB::follow_surface(Material& m, int first_row) {
 /// A body of any shape needs them in another order: B is made positive definite in the solid before its
 /// surroundings take it, and then there (means of positive definite tensors are, but shear and normal
 /// components live in different places).
-void TransportedB::surround(Material& m) {
+void TransportedB::extend_body(Material& m) {
   constexpr int first_row = 0;
   const auto all = grid::all_cells(grid_);
   fill_beyond_walls(m, first_row);

@@ -48,8 +48,8 @@ class TransportedB : public Formulation {
   void update(Material& material, const Stage& stage, double dt, int first_row);
   void make_consistent(Material& material, int first_row);
   void show_planes(PlaneFollower& follower) const;
-  void line(Material& material, int first_row);
-  void surround(Material& material);
+  void extend_layer(Material& material, int first_row);
+  void extend_body(Material& material);
   void follow_surface(Material& material, int first_row);
   void fill_beyond_walls(Material& material, int first_row) const;
 

@@ -21,14 +21,14 @@ TEST(Estimate, LimitsFollowTheirFormulas) {
   const Case c = elastic_case();  // 48 x (64 + 16) x 48 in 6 x 2.5 x 3, safety 0.7
   const double dx = 6.0 / 48, dy = 1.0 / 32, dz = 3.0 / 48;
   const StepLimits limits = step_limits(c.physics);
-  EXPECT_NEAR(limits.advection, 0.7 * std::sqrt(3.0) / (1.3 / dx + 0.2 / dy + 0.2 / dz), 1e-12);
+  EXPECT_NEAR(limits.convection, 0.7 * std::sqrt(3.0) / (1.3 / dx + 0.2 / dy + 0.2 / dz), 1e-12);
   const double along = 1 / (dx * dx) + 1 / (dz * dz), stretch = 1.5;
   EXPECT_NEAR(limits.elastic, 0.7 * 1.7 / (2 * std::sqrt(stretch * along)), 1e-12);
   EXPECT_NEAR(limits.viscosity, 0.7 * 2.51 * 2800 / (4 * (1 / (dx * dx) + 1 / (dy * dy) + 1 / (dz * dz))),
               1e-9);
   const double u_tau = 0.09 * std::pow(5600, 0.88) / 2800;  // Re_tau = 179
   EXPECT_NEAR(limits.accuracy, 0.4 / (2800 * u_tau * u_tau * 1.15), 1e-12);
-  EXPECT_EQ(limits.smallest(), std::min({limits.advection, limits.elastic, limits.accuracy}));
+  EXPECT_EQ(limits.smallest(), std::min({limits.convection, limits.elastic, limits.accuracy}));
   Case paper = c;
   paper.physics.solid->stiffness = Stiffness::kExplicit;
   EXPECT_NEAR(step_limits(paper.physics).elastic,

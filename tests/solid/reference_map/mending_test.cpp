@@ -21,7 +21,7 @@ TEST(Damage, BeginsBeyondWhatALayerCanDoAndIsBounded) {
   EXPECT_NEAR(damage_of(1, Real(1.25), 3), 0.5, 1e-6);
   EXPECT_NEAR(damage_of(1, Real(0.75), 3), 0.5, 1e-6);
   EXPECT_NEAR(damage_of(Real(0.1), 1, 15), 0.5, 1e-6);
-  EXPECT_NEAR(damage_of(1, Real(1.4), 3), kWhole, 1e-6);
+  EXPECT_NEAR(damage_of(1, Real(1.4), 3), kFullDamage, 1e-6);
   EXPECT_EQ(damage_of(1, Real(0.25), 3), kTorn);
   EXPECT_EQ(damage_of(1, 1, 31), kTorn);
   EXPECT_EQ(damage_of(1, -20, 3), kTorn);

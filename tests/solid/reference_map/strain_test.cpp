@@ -6,7 +6,7 @@
 
 #include "solver/solid/reference_map/strain_sweep.hpp"
 #include "tests/support/fields.hpp"
-#include "tests/support/momentum_views.hpp"
+#include "tests/support/linear_flow.hpp"
 #include "tests/support/no_follower.hpp"
 #include "tests/support/strain_at_edges.hpp"
 

@@ -1,17 +1,8 @@
 #pragma once
 
-#include <utility>
-
-#include "solver/fluid/momentum.hpp"
 #include "tests/support/fields.hpp"
 
 namespace softwall::support {
-
-/// The momentum kernels' input for a velocity.
-inline fluid::MomentumInput momentum_input(const VectorField& velocity, const Grid& g, double nu) {
-  return {velocity.x.view(),    velocity.y.view(), velocity.z.view(), g.inv_dy.data(), g.inv_dy_face.data(),
-          g.upper_share.data(), Real(1 / g.dx),    Real(1 / g.dz),    Real(nu)};
-}
 
 /// field = value(x, y, z) in ghost cells too, wherever row arrays reach: for kernels away from boundaries.
 template <class Value>
