@@ -148,12 +148,7 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
   try {
     if (const Handle intended = launcher_.intended(request); !intended.empty()) note(intended);
     const Handle handle = launcher_.start(request);
-    AttemptWatch& watch = working_[id];
-    watch.attempt = attempt;
-    watch.ranks = action.ranks;
-    watch.handle = handle;
-    watch.first_step = watch.imported_step = first_step;
-    watch.moved_at = monotonic_seconds();
+    working_.try_emplace(id, request, handle, monotonic_seconds(), first_step);
     note(handle);
     store_.attempt_started(id, attempt, handle);
   } catch (const std::runtime_error& error) {
@@ -162,13 +157,17 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
     end.outcome = AttemptOutcome::kNotStarted;
     end.reason = error.what();
     end.step = first_step;
-    store_.end_attempt(id, attempt, end);
-    store_.set_state(id, observe_files(one, run).state, end.reason);
-    pause(one, end.reason);
-    return;
+    return record_no_start(one, attempt, end);
   }
   book_.mark_running(one, launcher_.attempts_stay() ? Presence::kQueued : Presence::kRunning);
   progress_.event(describe_start(one, action.ranks, ladder, launcher_.attempts_stay()));
+}
+
+/// Nothing of the attempt ever ran.
+void Runner::record_no_start(const CampaignCase& one, int attempt, const AttemptEnd& end) {
+  store_.end_attempt(one.definition.id, attempt, end);
+  store_.set_state(one.definition.id, observe_files(one, book_.files_of(one)).state, end.reason);
+  pause(one, end.reason);
 }
 
 void Runner::record_end(const EndedAttempt& ended) {

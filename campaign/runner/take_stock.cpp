@@ -114,12 +114,7 @@ bool Runner::adopt(const CampaignCase& one) {
                               .ranks = one.ranks,
                               .wall_seconds = book_.campaign().execution.walltime_seconds};
   if (!launcher_.adopt(request, record->handle)) return false;
-  AttemptWatch& watch = working_[id];
-  watch.attempt = record->attempt;
-  watch.ranks = one.ranks;
-  watch.handle = record->handle;
-  watch.presence = presence;
-  watch.moved_at = monotonic_seconds();
+  working_.try_emplace(id, request, record->handle, monotonic_seconds()).first->second.presence = presence;
   progress_.event(one.definition.label +
                   ": an earlier softwall started it and it goes on; waiting for its end");
   return true;
