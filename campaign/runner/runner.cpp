@@ -52,7 +52,7 @@ Runner::~Runner() {
 
 RunnerReport Runner::run() {
   try {
-    if (!take_stock()) return report();
+    if (!recover_previous_run()) return report();
     while (true) {
       for (const EndedAttempt& ended : launcher_.collect()) record_end(ended);
       for (const std::string& news : launcher_.news()) progress_.event(news, Progress::Kind::kBad);

@@ -53,7 +53,7 @@ class Runner {
   RunnerReport run();
 
  private:
-  bool take_stock();
+  bool recover_previous_run();
   void find_settled();
   [[nodiscard]] bool end_what_is_not_adopted();
   void record_what_is_new();

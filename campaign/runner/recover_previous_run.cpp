@@ -14,7 +14,7 @@ namespace softwall::campaign {
 
 /// Deals with what an earlier runner left: adopts or ends its solvers, and brings the store up to the run
 /// directories. False when the user asked to stop meanwhile.
-bool Runner::take_stock() {
+bool Runner::recover_previous_run() {
   const auto& cases = book_.campaign().cases;
   store_.record_campaign(book_.campaign());
   find_settled();
