@@ -11,6 +11,16 @@
 
 /// What the runner does before it starts anything.
 namespace softwall::campaign {
+namespace {
+
+/// Whether the store knows a case to have finished as its files tell: in the same attempt and, where it ended
+/// early, for the same reason.
+bool store_agrees_with_files(const CaseRecord& known, const Observation& files) {
+  return known.state == CaseState::kFinished && files.state == CaseState::kFinished &&
+         known.attempts == files.attempts && (!files.early || known.state_reason == files.reason);
+}
+
+}  // namespace
 
 /// Deals with what an earlier runner left: adopts or ends its solvers, and brings the store up to the run
 /// directories. False when the user asked to stop meanwhile.
@@ -72,12 +82,7 @@ void Runner::record_what_is_new() {
     if (seen.back().state == CaseState::kFinished && !working_.contains(id) &&
         restore_case_file(one.definition, run))
       progress_.event(one.definition.label + ": its case.json was lost, and is written again");
-    const auto known = before.find(id);
-    const bool is_known = known != before.end() && known->second.state == CaseState::kFinished &&
-                          seen.back().state == CaseState::kFinished &&
-                          known->second.attempts == seen.back().attempts &&
-                          (!seen.back().early || known->second.state_reason == seen.back().reason);
-    if (is_known || working_.contains(id)) continue;
+    if (working_.contains(id) || store_agrees_with_files(before.at(id), seen.back())) continue;
     import_history(store_, one, run, seen.back());
     store_.forgive(id);  // whoever runs the campaign again asks for another try
   }
