@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "campaign/core/eta.hpp"
+#include "campaign/observe/attempt_end.hpp"
 #include "campaign/observe/history.hpp"
 #include "campaign/observe/ladder.hpp"
 #include "campaign/observe/observe.hpp"
