@@ -1,5 +1,7 @@
 #include "campaign/observe/attempt_end.hpp"
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 
 #include "campaign/observe/observe.hpp"
@@ -9,47 +11,34 @@
 namespace softwall::campaign {
 namespace {
 
-struct Meaning {
-  AttemptOutcome outcome;
-  const char* text;
-};
-
-/// What an exit status means when the solver left no record of its end.
-Meaning meaning_of(int exit_code) {
-  switch (exit_code) {
-    case static_cast<int>(ExitCode::kIoFailure):
-      return {AttemptOutcome::kIoFailure, "solver.log says where"};
-    case static_cast<int>(ExitCode::kDiverged):
-      return {AttemptOutcome::kDiverged, "the solution diverged"};
-    case static_cast<int>(ExitCode::kCheckpointRefused):
-      return {AttemptOutcome::kBadCheckpoint, "no checkpoint could be used"};
-    case static_cast<int>(ExitCode::kBadCase):
-      return {AttemptOutcome::kBadCase, "the solver refused case.json"};
-    case static_cast<int>(ExitCode::kInterrupted):
-      return {AttemptOutcome::kInterrupted, "stopped on request"};
-    case 128 + SIGKILL:
-      return {AttemptOutcome::kKilled, "killed from outside, or out of memory (SIGKILL)"};
-    case 128 + SIGTERM:
-      return {AttemptOutcome::kKilled, "ended from outside (SIGTERM)"};
-    case 128 + SIGUSR1:
-      return {AttemptOutcome::kKilled, "stopped before it was ready to write a checkpoint"};
-    case 128 + SIGSEGV:
-      return {AttemptOutcome::kFailed, "the solver crashed (SIGSEGV)"};
-    case 128 + SIGABRT:
-      return {AttemptOutcome::kFailed, "the solver crashed (SIGABRT)"};
-    case 128 + SIGFPE:
-      return {AttemptOutcome::kFailed, "the solver crashed (SIGFPE)"};
-    case 128 + SIGXFSZ:
-      return {AttemptOutcome::kIoFailure, "a file would exceed the limit of the shell (ulimit -f)"};
-    case 128 + SIGILL:  // what mpirun returns for a program it cannot execute
-      return {AttemptOutcome::kFailed,
-              "the solver could not be executed, or was built for another processor"};
-    case 0:
-      return {AttemptOutcome::kFailed, "the solver ended without a summary"};
-    default:
-      return {AttemptOutcome::kFailed, "the solver failed"};
-  }
+constexpr ExitMeaning meaning(ExitCode code, AttemptOutcome outcome, const char* text) {
+  return {static_cast<int>(code), outcome, text};
 }
+
+/// As a shell, and mpirun, report a program that a signal has ended.
+constexpr ExitMeaning meaning_of_signal(int signal, AttemptOutcome outcome, const char* text) {
+  return {128 + signal, outcome, text};
+}
+
+constexpr std::array kMeanings = {
+    meaning(ExitCode::kDone, AttemptOutcome::kFailed, "the solver ended without a summary"),
+    meaning(ExitCode::kIoFailure, AttemptOutcome::kIoFailure, "solver.log says where"),
+    meaning(ExitCode::kDiverged, AttemptOutcome::kDiverged, "the solution diverged"),
+    meaning(ExitCode::kCheckpointRefused, AttemptOutcome::kBadCheckpoint, "no checkpoint could be used"),
+    meaning(ExitCode::kBadCase, AttemptOutcome::kBadCase, "the solver refused case.json"),
+    meaning(ExitCode::kInterrupted, AttemptOutcome::kInterrupted, "stopped on request"),
+    meaning_of_signal(SIGKILL, AttemptOutcome::kKilled, "killed from outside, or out of memory (SIGKILL)"),
+    meaning_of_signal(SIGTERM, AttemptOutcome::kKilled, "ended from outside (SIGTERM)"),
+    meaning_of_signal(SIGUSR1, AttemptOutcome::kKilled, "stopped before it was ready to write a checkpoint"),
+    meaning_of_signal(SIGSEGV, AttemptOutcome::kFailed, "the solver crashed (SIGSEGV)"),
+    meaning_of_signal(SIGABRT, AttemptOutcome::kFailed, "the solver crashed (SIGABRT)"),
+    meaning_of_signal(SIGFPE, AttemptOutcome::kFailed, "the solver crashed (SIGFPE)"),
+    meaning_of_signal(SIGXFSZ, AttemptOutcome::kIoFailure,
+                      "a file would exceed the limit of the shell (ulimit -f)"),
+    // What mpirun returns for a program that it cannot execute.
+    meaning_of_signal(SIGILL, AttemptOutcome::kFailed,
+                      "the solver could not be executed, or was built for another processor"),
+};
 
 AttemptOutcome outcome_in(const Summary& summary, const CampaignCase& campaign_case) {
   if (is_finished(summary, campaign_case)) return AttemptOutcome::kFinished;
@@ -82,6 +71,12 @@ AttemptEnd end_from_summary(const Summary& summary, const CampaignCase& campaign
 
 }  // namespace
 
+ExitMeaning meaning_of(int exit_code) {
+  const auto* const known = std::ranges::find(kMeanings, exit_code, &ExitMeaning::exit_code);
+  if (known != kMeanings.end()) return *known;
+  return {exit_code, AttemptOutcome::kFailed, "the solver failed"};
+}
+
 AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, int attempt,
                         const EndedAttempt& seen) {
   const auto& exit_code = seen.exit_code;
@@ -93,7 +88,7 @@ AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, 
     end.outcome = seen.verdict->outcome;
     end.reason = seen.verdict->reason;
   } else if (exit_code) {
-    const Meaning known = meaning_of(*exit_code);
+    const ExitMeaning known = meaning_of(*exit_code);
     end.outcome = known.outcome;
     end.reason = std::string(known.text) + " (exit status " + std::to_string(*exit_code) + ")";
   } else {
