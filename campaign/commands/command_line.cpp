@@ -95,8 +95,8 @@ CommandLine::CommandLine() {
                        [](const Arguments& given) { return show_plan(given.path, given.json); });
   plan->add_flag("--json", arguments_.json, "Print one JSON value");
   CLI::App* status = add("status", "Show how far the cases are", [](const Arguments& given) {
-    const StatusWish wish{given.json, given.why};
-    return given.watch ? watch_status(given.path, wish) : show_status(given.path, wish);
+    const StatusOptions options{given.json, given.why};
+    return given.watch ? watch_status(given.path, options) : show_status(given.path, options);
   });
   CLI::Option* json = status->add_flag("--json", arguments_.json, "Print one JSON value");
   status
