@@ -6,7 +6,8 @@ import math
 
 import linear_stability
 import mean_profiles
-from campaign_data import LABEL_G, arguments, caption, line_of, plt, read_campaign, read_reference, save
+from campaign_data import LABEL_G, arguments, caption, plt, read_campaign, read_reference, save
+from case_style import line_of
 
 WALLS = ("re_tau", "re_tau_w")  # upper wall: full symbols; bottom wall: open ones
 WAVELENGTHS = (0.75, 1, 1.5)  # among which the first wave to grow is found at thicknesses near 0.5, h

@@ -7,6 +7,7 @@
 #include <map>
 #include <string_view>
 
+#include "campaign/commands/arguments.hpp"
 #include "campaign/commands/command_help.hpp"
 #include "campaign/commands/command_options.hpp"
 #include "campaign/commands/commands.hpp"
@@ -22,27 +23,10 @@ namespace {
 constexpr double kLongestStallMinutes = 1e6;  // two years
 constexpr double kLatestWindowStart = 1e9;    // as statistics.start_time of a campaign, h/U_b
 
-/// What was given after the name of a command.
-struct Arguments {
-  std::filesystem::path path, file;
-  std::string sql, chosen;
-  bool json = false, csv = false, latex = false, vertical = false, watch = false, remove = false,
-       no_caption = false, why = false;
-  std::string picture = "png", style = "screen", shell;
-  std::optional<double> from;
-  RunOptions run;
-  [[nodiscard]] OutputFormat format() const {
-    return json       ? OutputFormat::kJson
-           : csv      ? OutputFormat::kCsv
-           : latex    ? OutputFormat::kLatex
-           : vertical ? OutputFormat::kVertical
-                      : OutputFormat::kText;
-  }
-  [[nodiscard]] WantedResults results() const { return {path, from}; }
-  [[nodiscard]] std::optional<std::filesystem::path> output() const {
-    return file.empty() ? std::nullopt : std::optional(file);
-  }
-};
+/// Refuses the text of an option that is no number of this range.
+CLI::Validator number_check(const OptionRange& range) {
+  return {[range](const std::string& text) { return trouble_with_number(text, range); }, ""};
+}
 
 using CommandAction = std::function<ExitStatus(const Arguments&)>;
 
@@ -53,10 +37,15 @@ class CommandLine {
 
  private:
   CLI::App* add(const std::string& name, const std::string& help, CommandAction action);
-  void add_results_commands();
   void add_init();
+  void add_run();
+  void add_status();
+  void add_tables();
+  void add_figures();
+  void add_report();
+  void add_upkeep();
   void add_completion();
-  [[nodiscard]] std::vector<CommandWords> all_words() const;
+  void add_from(CLI::App& command);
   [[nodiscard]] std::vector<std::string> command_names() const;
   [[nodiscard]] bool asks_for_help(int count, char** words) const;
   void print_help(const std::string& command) const;
@@ -76,45 +65,12 @@ CommandLine::CommandLine() {
       "PATH is a campaign file or its folder. Exit status: 0 all done, 1 error, 2 bad input,\n"
       "3 done with failed cases, 4 unfinished (resume), 5 another softwall runs the campaign.");
   add_init();
-  const auto run = [](const Arguments& given) { return run_campaign(given.path, given.run); };
-  for (CLI::App* command : {add("run", "Run a campaign to its end; what is finished is kept", run),
-                            add("resume", "Go on with a campaign after any stop or crash", run)}) {
-    command
-        ->add_option("--stall-minutes", arguments_.run.stall_minutes,
-                     "End an attempt that makes no step for this long")
-        ->check(CLI::Validator(
-            [](const std::string& text) {
-              return trouble_with_number(text, {.low_allowed = false, .high = kLongestStallMinutes});
-            },
-            ""))
-        ->capture_default_str();
-    command->add_flag("--start-over", arguments_.run.start_over,
-                      "Let cases that had checkpoints, of which none can be used, start from the beginning");
-  }
-  CLI::App* plan = add("plan", "Show what run would do, and what it would cost",
-                       [](const Arguments& given) { return show_plan(given.path, given.json); });
-  plan->add_flag("--json", arguments_.json, "Print one JSON value");
-  CLI::App* status = add("status", "Show how far the cases are", [](const Arguments& given) {
-    const StatusWish wish{given.json, given.why};
-    return given.watch ? watch_status(given.path, wish) : show_status(given.path, wish);
-  });
-  CLI::Option* json = status->add_flag("--json", arguments_.json, "Print one JSON value");
-  status
-      ->add_flag("--watch", arguments_.watch,
-                 "Again every two seconds, as much as the window holds, until the run ends; waits for one")
-      ->excludes(json);
-  status->add_flag("--why", arguments_.why, "Say what would become of each case now, and for what reason");
-  add_results_commands();
-  CLI::App* verify =
-      add("verify", "Read all checkpoints and records in full; change nothing", [](const Arguments& given) {
-        return verify_campaign(given.path, given.chosen.empty() ? std::nullopt : std::optional(given.chosen));
-      });
-  verify->add_option("CASE", arguments_.chosen, "Label, or beginning of the id, of a single case");
-  CLI::App* clean = add("clean", "List cases left over from earlier versions of the campaign file",
-                        [](const Arguments& given) { return clean_campaign(given.path, given.remove); });
-  clean->add_flag("--remove", arguments_.remove, "Remove them, with their run directories");
-  add("rebuild", "Make the results store again from the run directories",
-      [](const Arguments& given) { return rebuild_store(given.path); });
+  add_run();
+  add_status();
+  add_tables();
+  add_figures();
+  add_report();
+  add_upkeep();
   add_completion();
   app_.add_subcommand("help", "Explain softwall, or the command named behind it")
       ->add_option("COMMAND", arguments_.chosen, "A command");
@@ -126,36 +82,39 @@ void CommandLine::add_init() {
   init->get_option("PATH")->description("A new folder for the campaign, or one without a campaign file");
 }
 
-void CommandLine::add_completion() {
-  CLI::App* completion =
-      app_.add_subcommand("completion", "Print a script by which a shell completes commands and options");
-  completion->add_option("SHELL", arguments_.shell, "bash, zsh or fish")
-      ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  actions_[completion] = [this](const Arguments& given) {
-    const Shell shell = given.shell == "bash"  ? Shell::kBash
-                        : given.shell == "zsh" ? Shell::kZsh
-                                               : Shell::kFish;
-    std::cout << completion_script(shell, all_words());
-    return ExitStatus::kDone;
-  };
-}
-
-std::vector<CommandWords> CommandLine::all_words() const {
-  std::vector<CommandWords> all;
-  for (const CLI::App* command : app_.get_subcommands([](const CLI::App*) { return true; })) {
-    CommandWords words{command->get_name(), command->get_description(), {}};
-    for (const CLI::Option* option : options_of(*command)) {
-      for (const std::string& name : option->get_lnames())
-        words.options.push_back(
-            {"--" + name, option->get_description(), option->get_items_expected_max() > 0});
-    }
-    all.push_back(std::move(words));
+void CommandLine::add_run() {
+  const auto run = [](const Arguments& given) { return run_campaign(given.path, given.run); };
+  for (CLI::App* command : {add("run", "Run a campaign to its end; what is finished is kept", run),
+                            add("resume", "Go on with a campaign after any stop or crash", run)}) {
+    command
+        ->add_option("--stall-minutes", arguments_.run.stall_minutes,
+                     "End an attempt that makes no step for this long")
+        ->check(number_check({.low_allowed = false, .high = kLongestStallMinutes}))
+        ->capture_default_str();
+    command->add_flag("--start-over", arguments_.run.start_over,
+                      "Let cases that had checkpoints, of which none can be used, start from the beginning");
   }
-  return all;
 }
 
-void CommandLine::add_results_commands() {
+/// What would be, and what is.
+void CommandLine::add_status() {
+  add("plan", "Show what run would do, and what it would cost", [](const Arguments& given) {
+    return show_plan(given.path, given.json);
+  })->add_flag("--json", arguments_.json, "Print one JSON value");
+  CLI::App* status = add("status", "Show how far the cases are", [](const Arguments& given) {
+    const StatusOptions options{given.json, given.why};
+    return given.watch ? watch_status(given.path, options) : show_status(given.path, options);
+  });
+  CLI::Option* json = status->add_flag("--json", arguments_.json, "Print one JSON value");
+  status
+      ->add_flag("--watch", arguments_.watch,
+                 "Again every two seconds, as much as the window holds, until the run ends; waits for one")
+      ->excludes(json);
+  status->add_flag("--why", arguments_.why, "Say what would become of each case now, and for what reason");
+}
+
+/// Results as text: tables, answers, rows.
+void CommandLine::add_tables() {
   CLI::App* table =
       add("table", "Print the paper's tables beside the measured values",
           [](const Arguments& given) { return show_paper_tables(given.results(), given.format()); });
@@ -168,6 +127,19 @@ void CommandLine::add_results_commands() {
     return export_campaign(given.results(), given.format(), given.output());
   });
   exporting->add_option("-o,--output", arguments_.file, "File to write instead of standard output");
+  for (CLI::App* command : {table, query, exporting}) {
+    add_from(*command);
+    CLI::Option_group* format = command->add_option_group("Format");
+    format->add_flag("--csv", arguments_.csv, "Comma-separated values");
+    format->add_flag("--json", arguments_.json, "Print one JSON value");
+    if (command == query)
+      format->add_flag("--vertical", arguments_.vertical, "One value a line, for rows of many columns");
+    if (command == table) format->add_flag("--latex", arguments_.latex, "Two tabulars for each reading of G");
+    format->require_option(command == exporting ? 1 : 0, 1);
+  }
+}
+
+void CommandLine::add_figures() {
   CLI::App* figures =
       add("figures", "Draw every figure that the campaign's data allow",
           [](const Arguments& given) -> ExitStatus {
@@ -184,6 +156,10 @@ void CommandLine::add_results_commands() {
       ->check(CLI::IsMember({"screen", "journal", "talk"}))
       ->capture_default_str();
   figures->add_flag("--no-caption", arguments_.no_caption, "Leave out the lines below each figure");
+  add_from(*figures);
+}
+
+void CommandLine::add_report() {
   CLI::App* report = add("report", "Write one HTML page: cases, tables, figures, provenance",
                          [](const Arguments& given) -> ExitStatus {
                            write_report(given.results(), {given.output(), given.watch});
@@ -191,26 +167,41 @@ void CommandLine::add_results_commands() {
   report->add_option("-o,--output", arguments_.file,
                      "File to write; default: report.html in the campaign's folder");
   report->add_flag("--watch", arguments_.watch, "Write it again every minute until the run has ended");
-  for (CLI::App* command : {table, query, exporting, figures, report}) {
-    command
-        ->add_option(
-            "--from", arguments_.from,
-            "Begin the averages at this time [h/U_b], but those of precursors; changes nothing on disk")
-        ->check(CLI::Validator(
-            [](const std::string& text) {
-              return trouble_with_number(text, {.low_allowed = true, .high = kLatestWindowStart});
-            },
-            ""));
-  }
-  for (CLI::App* command : {table, query, exporting}) {
-    CLI::Option_group* format = command->add_option_group("Format");
-    format->add_flag("--csv", arguments_.csv, "Comma-separated values");
-    format->add_flag("--json", arguments_.json, "Print one JSON value");
-    if (command == query)
-      format->add_flag("--vertical", arguments_.vertical, "One value a line, for rows of many columns");
-    if (command == table) format->add_flag("--latex", arguments_.latex, "Two tabulars for each reading of G");
-    format->require_option(command == exporting ? 1 : 0, 1);
-  }
+  add_from(*report);
+}
+
+void CommandLine::add_from(CLI::App& command) {
+  command
+      .add_option("--from", arguments_.from,
+                  "Begin the averages at this time [h/U_b], but those of precursors; changes nothing on disk")
+      ->check(number_check({.low_allowed = true, .high = kLatestWindowStart}));
+}
+
+/// What keeps a campaign's folder in order.
+void CommandLine::add_upkeep() {
+  add("verify", "Read all checkpoints and records in full; change nothing", [](const Arguments& given) {
+    return verify_campaign(given.path, given.chosen.empty() ? std::nullopt : std::optional(given.chosen));
+  })->add_option("CASE", arguments_.chosen, "Label, or beginning of the id, of a single case");
+  add("clean", "List cases left over from earlier versions of the campaign file", [](const Arguments& given) {
+    return clean_campaign(given.path, given.remove);
+  })->add_flag("--remove", arguments_.remove, "Remove them, with their run directories");
+  add("rebuild", "Make the results store again from the run directories",
+      [](const Arguments& given) { return rebuild_store(given.path); });
+}
+
+void CommandLine::add_completion() {
+  CLI::App* completion =
+      app_.add_subcommand("completion", "Print a script by which a shell completes commands and options");
+  completion->add_option("SHELL", arguments_.shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  actions_[completion] = [this](const Arguments& given) {
+    const Shell shell = given.shell == "bash"  ? Shell::kBash
+                        : given.shell == "zsh" ? Shell::kZsh
+                                               : Shell::kFish;
+    std::cout << completion_script(shell, words_of_commands(app_));
+    return ExitStatus::kDone;
+  };
 }
 
 CLI::App* CommandLine::add(const std::string& name, const std::string& help, CommandAction action) {

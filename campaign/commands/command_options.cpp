@@ -17,6 +17,20 @@ std::vector<const CLI::Option*> options_of(const CLI::App& command) {
   return options;
 }
 
+std::vector<CommandWords> words_of_commands(const CLI::App& app) {
+  std::vector<CommandWords> all;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    CommandWords words{command->get_name(), command->get_description(), {}};
+    for (const CLI::Option* option : options_of(*command)) {
+      for (const std::string& name : option->get_lnames())
+        words.options.push_back(
+            {"--" + name, option->get_description(), option->get_items_expected_max() > 0});
+    }
+    all.push_back(std::move(words));
+  }
+  return all;
+}
+
 void refuse_unknown_command(const std::string& word, const std::vector<std::string>& known) {
   if (std::ranges::find(known, word) != known.end()) return;
   const auto near = suggestion(word, known);

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "campaign/commands/completion.hpp"
+
 namespace CLI {
 class App;
 class Option;
@@ -13,6 +15,9 @@ namespace softwall::campaign {
 
 /// Those of a command and of its groups, which CLI11 keeps as commands without a name.
 [[nodiscard]] std::vector<const CLI::Option*> options_of(const CLI::App& command);
+
+/// Every command, with the long names of its options.
+[[nodiscard]] std::vector<CommandWords> words_of_commands(const CLI::App& app);
 
 /// "softwall stauts": throws BadInput, with the known command that is nearest.
 void refuse_unknown_command(const std::string& word, const std::vector<std::string>& known);

@@ -23,14 +23,14 @@ struct RunOptions {
 
 [[nodiscard]] ExitStatus show_plan(const std::filesystem::path& path, bool json);
 
-struct StatusWish {
+struct StatusOptions {
   bool json = false;
   bool why = false;  ///< also what would become of each case now, and for what reason
 };
-[[nodiscard]] ExitStatus show_status(const std::filesystem::path& path, const StatusWish& wish);
+[[nodiscard]] ExitStatus show_status(const std::filesystem::path& path, const StatusOptions& options);
 /// Again every two seconds, as many cases as the terminal has lines for, until the run that it saw has ended
 /// or nothing is left to run; started before a run, it waits for one.
-[[nodiscard]] ExitStatus watch_status(const std::filesystem::path& path, const StatusWish& wish);
+[[nodiscard]] ExitStatus watch_status(const std::filesystem::path& path, const StatusOptions& options);
 
 /// Chooses results: those of the campaign at this path, as the store has them or with averages that begin
 /// elsewhere.

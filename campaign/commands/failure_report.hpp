@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "campaign/commands/exit_status.hpp"
 #include "solver/case/bad_input.hpp"
 
@@ -16,8 +18,11 @@ struct FailureReport {
   std::vector<Mistake> mistakes;  ///< of an input, each also in the text
 };
 
+/// An array of {"where": ..., "given": ..., "allowed": ...}, also of none.
+[[nodiscard]] nlohmann::ordered_json json_of_mistakes(const std::vector<Mistake>& mistakes);
+
 /// Tells a failure in words, or as one JSON value: {"error": {"status": 2, "message": "...", "mistakes":
-/// [{"where": ..., "given": ..., "allowed": ...}]}}.
+/// [...]}}.
 void report_failure(std::ostream& out, const FailureReport& report, bool json);
 
 }  // namespace softwall::campaign

@@ -2,11 +2,13 @@
 #include <iostream>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
+#include "campaign/commands/failure_report.hpp"
 #include "campaign/commands/left_behind.hpp"
 #include "campaign/commands/preflight.hpp"
 #include "campaign/core/estimate.hpp"
@@ -71,50 +73,54 @@ PlannedCampaign plan_all(const LoadedCampaign& loaded) {
   return planned;
 }
 
+using Json = nlohmann::ordered_json;
+
+Json json_of(const PlannedCase& planned) {
+  const auto& [one, decision, cost, minutes] = planned;
+  return {{"label", one->definition.label},
+          {"case_id", one->definition.id},
+          {"directory", one->directory},
+          {"starts_from", one->precursor_id},
+          {"outlook", to_string(decision.outlook)},
+          {"reason", decision.reason},
+          {"ranks", one->ranks},
+          {"cells", cost.cells},
+          {"steps", cost.steps},
+          {"core_hours", cost.core_hours},
+          {"job_minutes", minutes ? Json(*minutes) : Json()}};
+}
+
+Json json_of(const LeftBehind& one) {
+  return {{"label", one.label}, {"case_id", one.case_id},       {"directory", one.directory},
+          {"state", one.state}, {"core_hours", one.core_hours}, {"reason", one.reason}};
+}
+
+/// An array, also of none.
+template <class Item>
+Json json_of_all(const std::vector<Item>& items) {
+  Json all = Json::array();
+  for (const Item& item : items) all.push_back(json_of(item));
+  return all;
+}
+
 void print_json(const LoadedCampaign& loaded, const PlannedCampaign& planned) {
   const int cores = loaded.campaign.execution.cores;
-  nlohmann::ordered_json cases = nlohmann::json::array(), refused = nlohmann::json::array(),
-                         left = nlohmann::json::array();
-  for (const auto& [one, decision, cost, minutes] : planned.cases) {
-    cases.push_back({{"label", one->definition.label},
-                     {"case_id", one->definition.id},
-                     {"directory", one->directory},
-                     {"starts_from", one->precursor_id},
-                     {"outlook", to_string(decision.outlook)},
-                     {"reason", decision.reason},
-                     {"ranks", one->ranks},
-                     {"cells", cost.cells},
-                     {"steps", cost.steps},
-                     {"core_hours", cost.core_hours},
-                     {"job_minutes", minutes ? nlohmann::ordered_json(*minutes) : nlohmann::ordered_json()}});
-  }
-  for (const Mistake& mistake : planned.ready.mistakes)
-    refused.push_back({{"where", mistake.where}, {"given", mistake.given}, {"allowed", mistake.allowed}});
-  for (const LeftBehind& one : planned.left_behind) {
-    left.push_back({{"label", one.label},
-                    {"case_id", one.case_id},
-                    {"directory", one.directory},
-                    {"state", one.state},
-                    {"core_hours", one.core_hours},
-                    {"reason", one.reason}});
-  }
-  const nlohmann::ordered_json plan = {
-      {"campaign", loaded.campaign.name},
-      {"until", describe(loaded.campaign.until)},
-      {"cores", cores == kUnlimitedCores ? nlohmann::ordered_json() : nlohmann::ordered_json(cores)},
-      {"wall_seconds", planned.wall_seconds},
-      {"disk_bytes", planned.ready.disk.bytes()},
-      {"checkpoint_bytes", planned.ready.disk.checkpoint_bytes},
-      {"snapshot_bytes", planned.ready.disk.snapshot_bytes},
-      {"snapshots", planned.ready.disk.snapshots},
-      {"film_bytes", planned.ready.disk.film_bytes},
-      {"film_moments", planned.ready.disk.film_moments},
-      {"disk_free_bytes", planned.ready.disk_free_bytes},
-      {"memory_bytes", planned.ready.memory_bytes},
-      {"machine_memory_bytes", planned.ready.machine_memory_bytes},
-      {"refused", refused},
-      {"cases", cases},
-      {"left_behind", left}};
+  const Json plan = {{"campaign", loaded.campaign.name},
+                     {"until", describe(loaded.campaign.until)},
+                     {"cores", cores == kUnlimitedCores ? Json() : Json(cores)},
+                     {"wall_seconds", planned.wall_seconds},
+                     {"disk_bytes", planned.ready.disk.bytes()},
+                     {"checkpoint_bytes", planned.ready.disk.checkpoint_bytes},
+                     {"snapshot_bytes", planned.ready.disk.snapshot_bytes},
+                     {"snapshots", planned.ready.disk.snapshots},
+                     {"film_bytes", planned.ready.disk.film_bytes},
+                     {"film_moments", planned.ready.disk.film_moments},
+                     {"disk_free_bytes", planned.ready.disk_free_bytes},
+                     {"memory_bytes", planned.ready.memory_bytes},
+                     {"machine_memory_bytes", planned.ready.machine_memory_bytes},
+                     {"refused", json_of_mistakes(planned.ready.mistakes)},
+                     {"cases", json_of_all(planned.cases)},
+                     {"left_behind", json_of_all(planned.left_behind)}};
   std::cout << plan.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
 }
 

@@ -177,21 +177,21 @@ std::size_t cases_on_terminal() {
 
 }  // namespace
 
-ExitStatus show_status(const std::filesystem::path& path, const StatusWish& wish) {
+ExitStatus show_status(const std::filesystem::path& path, const StatusOptions& options) {
   const LoadedCampaign loaded = load_campaign(path);
   const Snapshot now = look(loaded);
-  wish.json ? print_json(loaded, now, wish.why) : print_text(loaded, now, {.why = wish.why});
+  options.json ? print_json(loaded, now, options.why) : print_text(loaded, now, {.why = options.why});
   return ExitStatus::kDone;
 }
 
-ExitStatus watch_status(const std::filesystem::path& path, const StatusWish& wish) {
+ExitStatus watch_status(const std::filesystem::path& path, const StatusOptions& options) {
   const LoadedCampaign loaded = load_campaign(path);
   const bool terminal = isatty(STDOUT_FILENO) == 1;
   bool seen_running = false;
   while (true) {
     const Snapshot now = look(loaded);
     if (terminal) std::cout << "\033[H\033[2J";
-    TextLayout layout{.why = wish.why};
+    TextLayout layout{.why = options.why};
     if (terminal) layout.most = cases_on_terminal();
     print_text(loaded, now, layout);
     const bool over = !now.owner && (seen_running || now.seconds_left <= 0);

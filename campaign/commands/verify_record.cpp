@@ -4,7 +4,7 @@
 #include <optional>
 #include <tuple>
 
-#include "campaign/observe/observe.hpp"
+#include "campaign/observe/attempt_end.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/case.hpp"

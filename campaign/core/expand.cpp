@@ -11,6 +11,7 @@
 #include "campaign/core/effect.hpp"
 #include "campaign/core/label.hpp"
 #include "campaign/core/made_cases.hpp"
+#include "campaign/core/precursor.hpp"
 #include "campaign/core/sound_values.hpp"
 #include "campaign/core/start_order.hpp"
 #include "campaign/core/swept_parameters.hpp"
@@ -37,18 +38,6 @@ json document_of(json physics, json run) {
 json with_defaults(json document) {
   case_schema().fill_defaults(document);
   return document;
-}
-
-/// The rigid channel before a wall is made elastic shares its fluid and its start with the elastic case, not
-/// its numerics.
-bool concerns_precursor(const std::string& pointer) {
-  return pointer == "/reynolds" || pointer == "/domain/length_x" || pointer == "/domain/length_z" ||
-         pointer == "/initial/seed" || pointer == "/initial/amplitude" ||
-         (pointer.starts_with("/grid/") && pointer != "/grid/ny_solid");
-}
-
-void put(const Point& point, json& physics) {
-  for (const auto& [pointer, value] : point) physics[Pointer(pointer)] = value;
 }
 
 constexpr const char* kDtPlus = "/solid/dt_plus";
@@ -235,40 +224,18 @@ class Expansion {
 
   /// Id of the precursor that this point's case starts from; made if no earlier point needed the same.
   std::string precursor_for(const Point& point) {
-    Point fluid;
-    for (const auto& [pointer, value] : point)
-      if (concerns_precursor(pointer)) fluid[pointer] = value;
-    const auto [known, is_new] = precursor_ids_.try_emplace(fluid);
-    if (is_new) known->second = add_precursor(fluid);
+    const Point shared = shared_with_precursor(point);
+    const auto [known, is_new] = precursor_ids_.try_emplace(shared);
+    if (is_new) known->second = add_precursor(shared);
     return known->second;
   }
 
-  /// What a precursor takes over of `run`: of the planes of a film those that lie in the rigid channel.
-  [[nodiscard]] json run_below_layer() const {
-    constexpr double kRigidHeight = 2;
-    json run = spec_.run;
-    if (!run.contains("planes") || !run.at("planes").contains("y")) return run;
-    auto heights = run.at("planes").at("y").get<std::vector<double>>();
-    std::erase_if(heights, [](double y) { return y > kRigidHeight; });
-    run["planes"]["y"] = heights;
-    return run;
-  }
-
-  std::string add_precursor(const Point& fluid) {
-    json physics = spec_.physics;
-    put(fluid, physics);
-    physics["flow"] = "rigid_channel";
-    physics.erase("solid");
-    physics["grid"].erase("ny_solid");
-    if (physics.contains("domain")) physics["domain"].erase("layer_height");
-    json run = run_below_layer();
-    for (const auto& [key, value] : spec_.precursor.items())
-      (key == "run" ? run : physics[key]).merge_patch(value);
+  std::string add_precursor(const Point& shared) {
     Candidate candidate;
-    candidate.written = document_of(std::move(physics), std::move(run));
+    candidate.written = precursor_document(common_, spec_.precursor, shared);
     candidate.filled = with_defaults(candidate.written);
     candidate.values = swept_.values_of(candidate.filled.at("physics"));
-    candidate.point = fluid;
+    candidate.point = shared;
     return add_case(std::move(candidate), precursors_, sound_precursors_);
   }
 

@@ -115,6 +115,10 @@ std::vector<Point> sweep_points(const json& sweep) {
   return points;
 }
 
+void put(const Point& point, json& physics) {
+  for (const auto& [pointer, value] : point) physics[json::json_pointer(pointer)] = value;
+}
+
 std::vector<std::string> swept_pointers(const std::vector<Point>& points) {
   std::set<std::string> pointers;
   for (const auto& point : points)

@@ -26,6 +26,9 @@ inline constexpr std::size_t kMostCases = 10000;
 /// excluded ones. A sweep that names nothing is one point without values. Needs a sweep without mistakes.
 [[nodiscard]] std::vector<Point> sweep_points(const nlohmann::json& sweep);
 
+/// Sets the values of a point.
+void put(const Point& point, nlohmann::json& physics);
+
 /// Every parameter that some point sets.
 [[nodiscard]] std::vector<std::string> swept_pointers(const std::vector<Point>& points);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "campaign/core/words.hpp"
+#include "campaign/launch/sbatch_answer.hpp"
 #include "campaign/launch/slurm_command.hpp"
 #include "campaign/launch/slurm_pack.hpp"
 #include "campaign/launch/slurm_size.hpp"
@@ -26,38 +27,6 @@
 
 namespace softwall::campaign {
 namespace {
-
-template <std::size_t count>
-bool holds_one_of(const std::string& text, const std::array<const char*, count>& phrases) {
-  return std::ranges::any_of(phrases, [&](const char* phrase) { return text.find(phrase) != text.npos; });
-}
-
-/// Words of Slurm's that speak of this hour and not of the campaign: nobody was reached, or what is asked for
-/// is not there just now (a node that is down makes a job that needs it "not available").
-bool may_pass(const Answer& answer) {
-  static constexpr std::array<const char*, 11> kPassing = {
-      "Unable to contact",  "timed out",     "Zero Bytes", "Protocol authentication",
-      "temporarily",        "Connection",    "connection", "configuration source",
-      "node configuration", "not available", "busy"};
-  return !answer.exit_code || holds_one_of(answer.errors, kPassing);
-}
-
-/// Whether the job may have been accepted although sbatch did not say so. A refusal has words of its own.
-bool is_doubtful(const Answer& answer) {
-  static constexpr std::array<const char*, 2> kCutOff = {"timed out", "Zero Bytes"};
-  const bool refused =
-      answer.exit_code && *answer.exit_code > 0 && *answer.exit_code < 128 && !answer.errors.empty();
-  return !refused || holds_one_of(answer.errors, kCutOff);
-}
-
-/// "12" or, of one cluster among several, "12;name".
-std::optional<std::string> number_in(const Answer& answer) {
-  if (answer.exit_code != 0) return std::nullopt;
-  const auto digits = answer.output.find_first_not_of("0123456789");
-  if (digits == 0 || digits == std::string::npos) return std::nullopt;
-  if (answer.output[digits] != '\n' && answer.output[digits] != ';') return std::nullopt;
-  return answer.output.substr(0, digits);
-}
 
 /// A file that cannot be read just now is not missing.
 bool is_missing(const std::filesystem::path& file) {
@@ -201,7 +170,7 @@ void SlurmLauncher::submit(const Group& group) {
   arguments.push_back(group.size() > 1 ? pack_script(all.run_directory) : job_script(all.run_directory));
   const Answer answer = ask_slurm("sbatch", arguments, pace_.answer);
   queue_.hurry();
-  const auto number = number_in(answer);
+  const auto number = job_number_in(answer);
   const double now = monotonic_seconds();
   for (Job* job : group) {
     job->name = name;

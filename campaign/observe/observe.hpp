@@ -4,17 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "campaign/core/attempt.hpp"
 #include "campaign/core/campaign.hpp"
 #include "campaign/launch/launcher.hpp"
 #include "campaign/observe/case_directories.hpp"
 #include "solver/run_directory/run_files.hpp"
+#include "solver/run_directory/summary.hpp"
 
 /// What the run directories say. Only reads.
 namespace softwall::campaign {
 
 /// The run directory of a case in the campaign's folder, absolute.
 [[nodiscard]] RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& campaign_case);
+
+/// Success is the solver's own end record, of this case, at or past the end time; nothing else proves it.
+[[nodiscard]] bool is_finished(const Summary& summary, const CampaignCase& campaign_case);
 
 /// One answer a run directory, after one look at all of them: of the attempt there as its launcher sees it,
 /// or running while anybody holds the solver's lock.
@@ -43,11 +46,6 @@ namespace softwall::campaign {
 [[nodiscard]] std::vector<Observation> observe_all(const std::vector<const CampaignCase*>& cases,
                                                    const std::filesystem::path& folder,
                                                    const Launcher& launcher);
-
-/// Why and how an attempt ended that no process works on any more. seen: what its launcher saw of the end;
-/// empty when nobody was there to see it.
-[[nodiscard]] AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, int attempt,
-                                      const EndedAttempt& seen = {});
 
 /// Labels are for people, ids are identity: a case that has a directory keeps it, and the label it was run
 /// under, however the sweep names it now. `existing`: what existing_directories(folder) found.

@@ -1,11 +1,11 @@
 #include "campaign/runner/runner.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "campaign/core/eta.hpp"
+#include "campaign/observe/attempt_end.hpp"
 #include "campaign/observe/history.hpp"
 #include "campaign/observe/ladder.hpp"
 #include "campaign/observe/observe.hpp"
@@ -53,7 +53,7 @@ Runner::~Runner() {
 
 RunnerReport Runner::run() {
   try {
-    if (!take_stock()) return report();
+    if (!recover_previous_run()) return report();
     while (true) {
       for (const EndedAttempt& ended : launcher_.collect()) record_end(ended);
       for (const std::string& news : launcher_.news()) progress_.event(news, Progress::Kind::kBad);
@@ -84,45 +84,6 @@ RunnerReport Runner::run() {
     end_all();
     throw;
   }
-}
-
-/// Jobs of a batch system need no softwall to go on; whoever leaves for the night does not want them ended.
-RunnerReport Runner::leave() {
-  for (const auto& [id, watch] : working_) {
-    const CampaignCase& one = book_.find(id);
-    book_.mark_running(one, launcher_.presence(book_.files_of(one).directory, watch.handle));
-  }
-  progress_.event(describe_leaving(working_.size()));
-  return report();
-}
-
-/// Another program holds the store: the solvers go on meanwhile, and what has to be recorded waits. False
-/// when the user has asked to stop and has waited long enough; the run directories hold what was not
-/// recorded.
-bool Runner::wait_for_store() {
-  constexpr double kPauseSeconds = 5.0;  // a longer time without a lock ends the matter
-  const double now = monotonic_seconds();
-  if (now - locked_seen_at_ > kPauseSeconds) {
-    locked_since_ = now;
-    progress_.event("another program holds results.db; waiting for it, the solvers go on",
-                    Progress::Kind::kBad);
-  }
-  locked_seen_at_ = now;
-  if (signals_.stop_requests() > 0) {
-    pass_on_stop();
-    if (now - locked_since_ > options_.store_seconds) return false;
-  } else {
-    locked_since_ = now;
-  }
-  signals_.wait(options_.poll);
-  return true;
-}
-
-/// Nothing is lost: the run directories are the truth, and the next run records from them.
-RunnerReport Runner::pause_all(const std::string& reason) {
-  progress_.event("paused: " + reason, Progress::Kind::kBad);
-  book_.pause_unfinished("paused: " + reason);
-  return report();
 }
 
 /// A history that cannot be written is no reason to stop: the store has it.
@@ -188,12 +149,7 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
   try {
     if (const Handle intended = launcher_.intended(request); !intended.empty()) note(intended);
     const Handle handle = launcher_.start(request);
-    AttemptWatch& watch = working_[id];
-    watch.attempt = attempt;
-    watch.ranks = action.ranks;
-    watch.handle = handle;
-    watch.first_step = watch.imported_step = first_step;
-    watch.moved_at = monotonic_seconds();
+    working_.try_emplace(id, request, handle, monotonic_seconds(), first_step);
     note(handle);
     store_.attempt_started(id, attempt, handle);
   } catch (const std::runtime_error& error) {
@@ -202,13 +158,17 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
     end.outcome = AttemptOutcome::kNotStarted;
     end.reason = error.what();
     end.step = first_step;
-    store_.end_attempt(id, attempt, end);
-    store_.set_state(id, observe_files(one, run).state, end.reason);
-    pause(one, end.reason);
-    return;
+    return record_no_start(one, attempt, end);
   }
   book_.mark_running(one, launcher_.attempts_stay() ? Presence::kQueued : Presence::kRunning);
   progress_.event(describe_start(one, action.ranks, ladder, launcher_.attempts_stay()));
+}
+
+/// Nothing of the attempt ever ran.
+void Runner::record_no_start(const CampaignCase& one, int attempt, const AttemptEnd& end) {
+  store_.end_attempt(one.definition.id, attempt, end);
+  store_.set_state(one.definition.id, observe_files(one, book_.files_of(one)).state, end.reason);
+  pause(one, end.reason);
 }
 
 void Runner::record_end(const EndedAttempt& ended) {
@@ -293,36 +253,6 @@ bool Runner::repair_statistics(const CampaignCase& one, const std::string& troub
                   Progress::Kind::kBad);
   changed_ = true;
   return true;
-}
-
-void Runner::ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level) {
-  launcher_.stop(book_.files_of(book_.find(case_id)).directory, watch.handle, level);
-}
-
-/// First request: checkpoint and end. Second: end within seconds. Third: end now. What does not obey is asked
-/// more firmly as time passes, also without a second request: a rank may hang.
-void Runner::pass_on_stop() {
-  const int asked = std::min(signals_.stop_requests(), 3);
-  const double now = monotonic_seconds();
-  if (!stop_) stop_.emplace(options_.grace, now);
-  if (asked > std::exchange(stop_passed_on_, asked)) progress_.event(describe_stop(asked, working_.size()));
-  const auto level = stop_->due(now, level_of_requests(asked));
-  if (!level) return;
-  for (const auto& [id, watch] : working_) ask_to_end(id, watch, *level);
-}
-
-/// The manager cannot go on: every solver checkpoints and ends before the error is told. Those that need no
-/// manager are left alone.
-void Runner::end_all() {
-  if (launcher_.attempts_stay()) return;
-  StopLadder ladder(options_.grace, monotonic_seconds());
-  while (!launcher_.idle()) {
-    if (const auto level = ladder.due(monotonic_seconds())) {
-      for (const auto& [id, watch] : working_) ask_to_end(id, watch, *level);
-    }
-    signals_.wait(options_.poll);
-    for (const EndedAttempt& ended : launcher_.collect()) working_.erase(ended.case_id);
-  }
 }
 
 void Runner::show_progress() {

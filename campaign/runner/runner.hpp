@@ -53,7 +53,7 @@ class Runner {
   RunnerReport run();
 
  private:
-  bool take_stock();
+  bool recover_previous_run();
   void find_settled();
   [[nodiscard]] bool end_what_is_not_adopted();
   void record_what_is_new();
@@ -62,22 +62,23 @@ class Runner {
   void start(const Action& action);
   void pause(const CampaignCase& one, const std::string& reason);
   void launch(const CampaignCase& one, const Action& action, const Ladder& ladder);
+  void record_no_start(const CampaignCase& one, int attempt, const AttemptEnd& end);
   void record_end(const EndedAttempt& ended);
   void record_state(const CampaignCase& one, const AttemptEnd& end);
   void deliver_result(const CampaignCase& one);
   [[nodiscard]] bool repair_statistics(const CampaignCase& one, const std::string& trouble);
-  void ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level);
-  void pass_on_stop();
   void read_reports();
   void note_begin(const CampaignCase& one, AttemptWatch& watch);
   void end_if_stalled(const CampaignCase& one, AttemptWatch& watch, double now);
   void end_early(const CampaignCase& one, AttemptWatch& watch, double now);
   void end_what_is_over();
   void import_on_the_way();
+  void ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level);
+  void pass_on_stop();
   void end_all();
   [[nodiscard]] RunnerReport leave();
-  [[nodiscard]] bool wait_for_store();
   [[nodiscard]] RunnerReport pause_all(const std::string& reason);
+  [[nodiscard]] bool wait_for_store();
   void keep_history(const CampaignCase& one);
   void show_progress();
   [[nodiscard]] RunnerReport report() const;

@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "analysis/derived.hpp"
+#include "campaign/observe/attempt_end.hpp"
 #include "campaign/observe/averages.hpp"
 #include "campaign/observe/history.hpp"
 #include "campaign/observe/ladder.hpp"
-#include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/system/file_system.hpp"
 #include "solver/run_directory/build_info.hpp"

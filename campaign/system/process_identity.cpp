@@ -59,12 +59,6 @@ ProcessIdentity identify(pid_t pid) {
 
 ProcessIdentity this_process() { return identify(getpid()); }
 
-bool is_alive(const ProcessIdentity& process) {
-  if (process.host != host_name() || process.boot_id != boot_id()) return false;
-  const auto state = read_state(process.pid);
-  return state && state->letter != 'Z' && state->start_ticks == process.start_ticks;
-}
-
 bool has_ended(pid_t pid) {
   const auto state = read_state(pid);
   return !state || state->letter == 'Z';

@@ -23,11 +23,7 @@ struct ProcessIdentity {
 [[nodiscard]] ProcessIdentity identify(pid_t pid);
 [[nodiscard]] ProcessIdentity this_process();
 
-/// True when exactly that process still runs here; false for a process of another boot, of another host, for
-/// a later process with the same number, and for one that has ended but was not yet waited for.
-[[nodiscard]] bool is_alive(const ProcessIdentity& process);
-
-/// True also for a process that was not yet waited for.
+/// True also for a process that has ended but was not yet waited for.
 [[nodiscard]] bool has_ended(pid_t pid);
 
 /// 0 when there is no such process.

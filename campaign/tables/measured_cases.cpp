@@ -15,9 +15,9 @@ constexpr std::size_t kMostCharacters = 16;  // what keeps the widest table on i
 /// Asks the tables, because the view `results` would gather every column of every case first. All rows of a
 /// result have the same window and note, and each result has the quantity "batches".
 constexpr std::string_view kCases = R"sql(
-SELECT c.label, c.state, c.stale_reason, q.note, c.grid, c.G, c.viscosity_ratio, c.reynolds,
+SELECT c.case_id, c.flow, c.label, c.state, c.stale_reason, q.note, c.grid, c.G, c.viscosity_ratio, c.reynolds,
   iif(c.flow = 'rigid_channel', 0.0, json_extract(c.physics, '$.domain.layer_height')),
-  q.window_start, q.window_end, c.end_time, c.case_id, c.flow,
+  q.window_start, q.window_end, c.end_time,
   json_extract(c.physics, '$.grid.nx'),
   json_extract(c.physics, '$.grid.ny_fluid') + json_extract(c.physics, '$.grid.ny_solid'),
   json_extract(c.physics, '$.grid.nz'),
@@ -64,20 +64,20 @@ std::vector<MeasuredCase> measured_cases(Connection& store, std::int64_t most) {
   std::vector<MeasuredCase> cases;
   while (rows.step()) {
     MeasuredCase found;
-    found.case_id = rows.text(12);
-    found.label = rows.text(0);
-    found.state = rows.text(1);
-    found.stale_reason = rows.text(2);
-    found.note = rows.text(3);
-    found.grid = rows.text(4);
-    found.g = rows.optional_real(5);
-    found.viscosity_ratio = rows.optional_real(6);
-    found.reynolds = rows.real(7);
-    found.layer_height = rows.real(8);
-    found.window_start = rows.optional_real(9);
-    found.window_end = rows.optional_real(10);
-    found.end_time = rows.real(11);
-    found.flow = rows.text(13);
+    found.case_id = rows.text(0);
+    found.flow = rows.text(1);
+    found.label = rows.text(2);
+    found.state = rows.text(3);
+    found.stale_reason = rows.text(4);
+    found.note = rows.text(5);
+    found.grid = rows.text(6);
+    found.g = rows.optional_real(7);
+    found.viscosity_ratio = rows.optional_real(8);
+    found.reynolds = rows.real(9);
+    found.layer_height = rows.real(10);
+    found.window_start = rows.optional_real(11);
+    found.window_end = rows.optional_real(12);
+    found.end_time = rows.real(13);
     found.sides = {rows.integer(14), rows.integer(15), rows.integer(16)};
     found.but_for_the_grid = rows.text(17);
     found.varied_but_for_the_grid = rows.text(18);

@@ -302,7 +302,7 @@ class Figures(unittest.TestCase):
                 self.assertRegex(done.stderr, r"has no .*numpy.*: sudo apt install .*python3-numpy .*pip install")
 
     def test_colours_go_by_the_value_and_lines_are_the_papers(self):
-        program = ("import sys; sys.path.insert(0, sys.argv[1]); from campaign_data import colour_of, line_of\n"
+        program = ("import sys; sys.path.insert(0, sys.argv[1]); from case_style import colour_of, line_of\n"
                    "print(colour_of(4), colour_of(2), colour_of(1), colour_of(0.5), line_of(0.1), line_of(1), line_of(10))\n"
                    "print(colour_of(0.7) == colour_of(0.7), len({colour_of(g) for g in (0.3, 0.6, 0.7, 1.5, 3)}))")
         done = subprocess.run([sys.executable, "-c", program, ROOT / "analysis"], capture_output=True, text=True)

@@ -28,8 +28,11 @@ class Commands(unittest.TestCase):
         self.assertEqual(sorted(set(commands()) - set(documented)), [])
 
     def test_the_manual_page_lists_the_commands(self):
-        listed = re.findall(r"^\.It Cm (\w+)$", text_of("campaign/softwall.1"), re.MULTILINE)
-        self.assertEqual(sorted(listed), sorted(commands()))
+        page = text_of("campaign/softwall.1")
+        explained = re.findall(r"^\.It Cm (\w+)$", page, re.MULTILINE)
+        self.assertEqual(sorted(explained), sorted(commands()))
+        called = " | ".join(re.findall(r"^\.Cm (.+)$", page.partition(".Sh DESCRIPTION")[0], re.MULTILINE))
+        self.assertEqual(sorted(called.split(" | ")), sorted(commands()), "in the synopsis")
 
     def test_every_documented_command_exists(self):
         for path in committed_files():

@@ -103,22 +103,6 @@ TEST_F(ObserveTest, AHeldSolverLockMeansRunning) {
   EXPECT_EQ(look().reason, "ended without a word");
 }
 
-TEST_F(ObserveTest, AnEndIsToldByTheSummaryOfThatAttemptOrElseByTheExitStatus) {
-  test::write_checkpoint(run_, id_, 10, 1.0);
-  test::write_summary(run_, id_, 3, "interrupted", 10, 1.0);
-  EXPECT_EQ(describe_end(case_, run_, 3, {"", 85}).outcome, AttemptOutcome::kInterrupted);
-  EXPECT_EQ(describe_end(case_, run_, 4, {"", 137}).outcome, AttemptOutcome::kKilled);
-  EXPECT_EQ(describe_end(case_, run_, 4, {"", 75}).outcome, AttemptOutcome::kIoFailure);
-  EXPECT_EQ(describe_end(case_, run_, 4, {"", 0}).outcome, AttemptOutcome::kFailed)
-      << "exit 0 proves nothing";
-  EXPECT_EQ(describe_end(case_, run_, 4).outcome, AttemptOutcome::kLost);
-  const EndedAttempt timed_out{"", 143, Verdict{AttemptOutcome::kTimeout, "its job reached its time limit"}};
-  EXPECT_EQ(describe_end(case_, run_, 4, timed_out).outcome, AttemptOutcome::kTimeout);
-  EXPECT_EQ(describe_end(case_, run_, 3, timed_out).outcome, AttemptOutcome::kInterrupted)
-      << "the solver's own word comes first";
-  EXPECT_EQ(describe_end(case_, run_, 4, {"", 1}).step, 10);
-}
-
 TEST_F(ObserveTest, ACaseKeepsItsDirectoryWhenItsLabelChanges) {
   const std::string old = case_.directory;
   campaign_.cases.front().directory = "cases/renamed-" + id_.substr(0, 8);

@@ -12,10 +12,20 @@
 
 /// What the runner does before it starts anything.
 namespace softwall::campaign {
+namespace {
+
+/// Whether the store knows a case to have finished as its files tell: in the same attempt and, where it ended
+/// early, for the same reason.
+bool store_agrees_with_files(const CaseRecord& known, const Observation& files) {
+  return known.state == CaseState::kFinished && files.state == CaseState::kFinished &&
+         known.attempts == files.attempts && (!files.early || known.state_reason == files.reason);
+}
+
+}  // namespace
 
 /// Deals with what an earlier runner left: adopts or ends its solvers, and brings the store up to the run
 /// directories. False when the user asked to stop meanwhile.
-bool Runner::take_stock() {
+bool Runner::recover_previous_run() {
   const auto& cases = book_.campaign().cases;
   store_.record_campaign(book_.campaign());
   find_settled();
@@ -74,11 +84,7 @@ void Runner::record_what_is_new() {
     if (seen.back().state == CaseState::kFinished && !working_.contains(id) &&
         restore_case_file(one.definition, run))
       progress_.event(one.definition.label + ": its case.json was lost, and is written again");
-    const auto known = before.find(id);
-    const bool is_known = known != before.end() && known->second.state == CaseState::kFinished &&
-                          seen.back().state == CaseState::kFinished &&
-                          known->second.attempts == seen.back().attempts &&
-                          (!seen.back().early || known->second.state_reason == seen.back().reason);
+    const bool is_known = store_agrees_with_files(before.at(id), seen.back());
     if (is_known) import_checkpoints(store_, id, run);  // somebody may have removed old ones
     if (is_known || working_.contains(id)) continue;
     import_history(store_, one, run, seen.back());
@@ -118,12 +124,7 @@ bool Runner::adopt(const CampaignCase& one) {
                               .wall_seconds = book_.campaign().execution.walltime_seconds};
   if (!launcher_.adopt(request, record->handle)) return false;
   import_running_attempt(store_, one, run, *record);
-  AttemptWatch& watch = working_[id];
-  watch.attempt = record->attempt;
-  watch.ranks = one.ranks;
-  watch.handle = record->handle;
-  watch.presence = presence;
-  watch.moved_at = monotonic_seconds();
+  working_.try_emplace(id, request, record->handle, monotonic_seconds()).first->second.presence = presence;
   progress_.event(one.definition.label +
                   ": an earlier softwall started it and it goes on; waiting for its end");
   return true;

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <utility>
+
+#include "campaign/runner/runner.hpp"
+#include "campaign/runner/wording.hpp"
+#include "campaign/system/clock.hpp"
+
+/// How the runner stops: attempts asked to end, attempts that are left at work, and a campaign that cannot go
+/// on.
+namespace softwall::campaign {
+
+void Runner::ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level) {
+  launcher_.stop(book_.files_of(book_.find(case_id)).directory, watch.handle, level);
+}
+
+/// First request: checkpoint and end. Second: end within seconds. Third: end now. What does not obey is asked
+/// more firmly as time passes, also without a second request: a rank may hang.
+void Runner::pass_on_stop() {
+  const int asked = std::min(signals_.stop_requests(), 3);
+  const double now = monotonic_seconds();
+  if (!stop_) stop_.emplace(options_.grace, now);
+  if (asked > std::exchange(stop_passed_on_, asked)) progress_.event(describe_stop(asked, working_.size()));
+  const auto level = stop_->due(now, level_of_requests(asked));
+  if (!level) return;
+  for (const auto& [id, watch] : working_) ask_to_end(id, watch, *level);
+}
+
+/// The manager cannot go on: every solver checkpoints and ends before the error is told. Those that need no
+/// manager are left alone.
+void Runner::end_all() {
+  if (launcher_.attempts_stay()) return;
+  StopLadder ladder(options_.grace, monotonic_seconds());
+  while (!launcher_.idle()) {
+    if (const auto level = ladder.due(monotonic_seconds())) {
+      for (const auto& [id, watch] : working_) ask_to_end(id, watch, *level);
+    }
+    signals_.wait(options_.poll);
+    for (const EndedAttempt& ended : launcher_.collect()) working_.erase(ended.case_id);
+  }
+}
+
+/// Jobs of a batch system need no softwall to go on; whoever leaves for the night does not want them ended.
+RunnerReport Runner::leave() {
+  for (const auto& [id, watch] : working_) {
+    const CampaignCase& one = book_.find(id);
+    book_.mark_running(one, launcher_.presence(book_.files_of(one).directory, watch.handle));
+  }
+  progress_.event(describe_leaving(working_.size()));
+  return report();
+}
+
+/// Nothing is lost: the run directories are the truth, and the next run records from them.
+RunnerReport Runner::pause_all(const std::string& reason) {
+  progress_.event("paused: " + reason, Progress::Kind::kBad);
+  book_.pause_unfinished("paused: " + reason);
+  return report();
+}
+
+/// Another program holds the store: the solvers go on meanwhile, and what has to be recorded waits. False
+/// when the user has asked to stop and has waited long enough; the run directories hold what was not
+/// recorded.
+bool Runner::wait_for_store() {
+  constexpr double kPauseSeconds = 5.0;  // a longer time without a lock ends the matter
+  const double now = monotonic_seconds();
+  if (now - locked_seen_at_ > kPauseSeconds) {
+    locked_since_ = now;
+    progress_.event("another program holds results.db; waiting for it, the solvers go on",
+                    Progress::Kind::kBad);
+  }
+  locked_seen_at_ = now;
+  if (signals_.stop_requests() > 0) {
+    pass_on_stop();
+    if (now - locked_since_ > options_.store_seconds) return false;
+  } else {
+    locked_since_ = now;
+  }
+  signals_.wait(options_.poll);
+  return true;
+}
+
+}  // namespace softwall::campaign
