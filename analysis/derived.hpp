@@ -42,7 +42,7 @@ struct DerivedQuantities {
   double log_residual = 0.0;   ///< rms of Xi about its mean over the range, divided by the mean
   double log_intercept = 0.0;  ///< U+ = ln((yt + d)+) / k_plus_dk + log_intercept
 
-  /// rms over 0 < y < interface of total stress - (u_tau_w^2 - P y), divided by u_tau_w^2: 0 in a converged
+  /// rms over the height of total stress - (u_tau_w^2 - P y), divided by u_tau_w^2: 0 in a converged
   /// mean
   double stress_balance_residual = std::numeric_limits<double>::quiet_NaN();
 

@@ -106,6 +106,8 @@ ExitCode simulate(const Case& c, const RunOptions& options, const parallel::Comm
   output::leave_to_later_attempt(options.files, c.id, options.attempt, world);
   const auto simulation = begin(c, options, world);
   if (options.snapshot) {
+    if (!simulation->has_resumed())
+      throw output::AgreedError(ExitCode::kBadCase, "there is no checkpoint of which to make a snapshot");
     simulation->write_snapshot();
     return ExitCode::kDone;
   }

@@ -165,7 +165,7 @@ void Simulation::stop_if_diverged(double convection_rate) const {
 
 bool Simulation::time_is_up() const {
   if (options_.wall_seconds <= 0) return false;
-  const double still_needed = 2 * (checkpoint_duration_ + pace_.seconds_per_step());
+  const double still_needed = 2 * (checkpoint_duration_ + pace_.seconds_per_step()) + frames_duration_;
   return output::Timer::seconds_since(options_.started) + still_needed >= options_.wall_seconds;
 }
 
@@ -196,8 +196,10 @@ void Simulation::write_moments(double time_before) {
   const auto is_due = [&](double interval) {
     return interval > 0 && intervals_passed(state_.time, interval) != intervals_passed(time_before, interval);
   };
+  const auto begin = output::Clock::now();
   if (is_due(case_.run.field_interval)) write_snapshot();
   if (is_due(case_.run.plane_interval)) write_planes();
+  frames_duration_ = std::max(frames_duration_, output::Timer::seconds_since(begin));
 }
 
 void Simulation::write_snapshot() {

@@ -39,6 +39,8 @@ class Simulation {
   /// Steps until the end. Throws AgreedError with what went wrong.
   [[nodiscard]] ExitCode run();
 
+  /// Whether the state is that of a checkpoint.
+  [[nodiscard]] bool has_resumed() const { return !resumed_from_.empty(); }
   /// Writes a snapshot of the state as it is. Throws AgreedError.
   void write_snapshot();
 
@@ -90,6 +92,7 @@ class Simulation {
   time::TimeStep last_step_{0, "fixed"};
   std::int64_t checkpoint_step_ = -1;
   double checkpoint_duration_ = 0;  ///< of the last one, s
+  double frames_duration_ = 0;      ///< of the longest snapshot and film frame of a step, s
   std::string resumed_from_;
   output::Pace pace_;
   output::Timer status_timer_, report_timer_, checkpoint_timer_;

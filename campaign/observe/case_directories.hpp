@@ -19,7 +19,8 @@ using CaseDirectories = std::unordered_multimap<std::string, std::string>;
 [[nodiscard]] CaseDirectories existing_directories(const std::filesystem::path& folder);
 
 /// The cases that have those run directories: the campaign's own, as it reads by itself, which nothing may
-/// displace, and all others with a readable case file. Empty when every case of the campaign has its directory.
+/// displace, and all others with a readable case file. Empty when every case of the campaign has its
+/// directory.
 [[nodiscard]] ExistingCases existing_cases(const Campaign& campaign, const std::filesystem::path& folder,
                                            const CaseDirectories& directories);
 

@@ -6,8 +6,8 @@ namespace softwall::campaign {
 
 namespace {
 
-/// The first of the case, the one that it starts from, the one that this starts from, ... of which something is
-/// true; null where it is true of none.
+/// The first of the case, the one that it starts from, the one that this starts from, ... of which something
+/// is true; null where it is true of none.
 template <class Holds>
 const CampaignCase* first_in_line(const CaseBook& book, const CampaignCase& one, const Holds& holds) {
   const CampaignCase* at = &one;

@@ -24,6 +24,8 @@ class SampleClock {
   }
   /// A sample is taken: returns the time that it stands for.
   double take(double time) { return time - std::exchange(last_sample_, time); }
+  /// The next sample stands for the time from the next step that counts on.
+  void pause() { started_ = false; }
   /// Time up to which samples stand for the flow.
   [[nodiscard]] double last_sample() const { return last_sample_; }
 

@@ -17,6 +17,18 @@ constexpr const char *kSchedule = "spectra_schedule", *kFlow = "spectra_of_flow"
                      *kInterface = "interface_moments", *kPairs = "interface_pairs",
                      *kWaves = "interface_waves";
 
+/// Whoever samples again begins a new interval of time, and of the rates of change: nobody looks meanwhile.
+Spectra::Packed without_interval_under_way(Spectra::Packed packed) {
+  if (const auto clock = packed.find(kSchedule); clock != packed.end()) {
+    SampleClock paused;
+    paused.unpack(clock->second);
+    paused.pause();
+    clock->second = copy(paused.pack());
+  }
+  packed.erase(kBeforeBudget);
+  return packed;
+}
+
 }  // namespace
 
 Spectra::Spectra(time::Setup& setup, std::int64_t interval_steps)
@@ -59,8 +71,8 @@ void Spectra::sample_fields(const time::State& s, double weight, const std::vect
 }
 
 Spectra::Packed Spectra::pack() const {
+  if (!flow_) return on_hold_;
   Packed packed;
-  if (!flow_) return packed;
   packed[kSchedule] = copy(clock_.pack());
   packed[kFlow] = of_flow_->pack([this](std::span<const double> part) { return flow_->whole(part); });
   if (budget_) {
@@ -77,7 +89,10 @@ void Spectra::unpack(const Packed& packed) {
   const auto with = [&packed](const char* name, const auto& take) {
     if (const auto found = packed.find(name); found != packed.end()) take(found->second);
   };
-  if (!flow_) return;
+  if (!flow_) {
+    on_hold_ = without_interval_under_way(packed);
+    return;
+  }
   with(kSchedule, [this](std::span<const double> values) { clock_.unpack(values); });
   with(kFlow, [this](std::span<const double> values) {
     of_flow_->unpack(values, flow_->whole_size(),

@@ -22,8 +22,8 @@ namespace softwall::statistics {
 /// it samples steps that end after start_time, and continues bit for bit from what it packed.
 class Spectra {
  public:
-  /// Samples at steps that `interval_steps` divides; 0: never. Refers to `setup` for as long as it lives, and
-  /// uses its transforms. Collective.
+  /// Samples at steps that `interval_steps` divides; 0: never, but what was sampled before is kept. Refers to
+  /// `setup` for as long as it lives, and uses its transforms. Collective.
   Spectra(time::Setup& setup, std::int64_t interval_steps);
 
   /// To be called by all ranks after every step, of length dt, h / U_b; ghost cells filled as advance()
@@ -51,6 +51,7 @@ class Spectra {
   std::optional<MergingBlocks> of_flow_, of_budget_, of_interface_, of_pairs_;
   std::optional<InterfaceModes> waves_;
   SampleClock clock_;
+  Packed on_hold_;  ///< where nothing is sampled: what earlier runs have
 };
 
 }  // namespace softwall::statistics

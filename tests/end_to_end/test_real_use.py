@@ -8,6 +8,7 @@ import shutil
 import signal
 import sqlite3
 import subprocess
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -79,6 +80,13 @@ class RealUse(EndToEndTest):
             self.assertEqual(((directory / "summary.json").read_text(), (directory / "status.json").read_text()), before)
             self.assertEqual((directory / "fields/fields.xdmf").read_text(), collection)
             self.assert_sound(campaign)
+        with self.subTest("no snapshot is made of an initial state that nobody computed"):
+            with tempfile.TemporaryDirectory() as elsewhere:
+                shutil.copy(directory / "case.json", elsewhere)
+                made = subprocess.run([solver, elsewhere, "--snapshot"], capture_output=True, text=True)
+                self.assertNotEqual(made.returncode, 0)
+                self.assertIn("no checkpoint of which to make a snapshot", made.stderr)
+                self.assertEqual(list(Path(elsewhere).glob("fields/*.h5")), [])
         (row,) = campaign.query("SELECT window_start, window_end, end_time FROM results")
         self.assertEqual(row["window_start"], 0.5)
         self.assertLessEqual(row["window_end"], row["end_time"] * (1 + 1e-9))

@@ -118,6 +118,29 @@ TEST(Spectra, AreNotThereWhereNoneAreAskedFor) {
   EXPECT_TRUE(none.arrays().empty());
 }
 
+/// Somebody sets run.spectra_steps to 0 for a while: what was sampled stays, and the time between does not
+/// count.
+TEST(Spectra, KeepWhatTheyHaveWhileNothingIsSampled) {
+  time::Setup setup(scheduled(rigid_case()), MPI_COMM_WORLD);
+  Spectra before(setup, kInterval), off(setup, 0), after(setup, kInterval);
+  double counted = 0;
+  advance_disturbed(setup, 90, [&](const time::State& s, double dt) {
+    if (s.step == 31) off.unpack(shared(before.pack()));
+    if (s.step == 61) {
+      EXPECT_EQ(off.pack().size(), before.pack().size() - 1) << "all but the state of energy before";
+      after.unpack(shared(off.pack()));
+    }
+    Spectra& now = s.step <= 30 ? before : s.step <= 60 ? off : after;
+    now.sample_step(s, dt);
+    const double begin = std::max(s.time - dt, setup.physics.statistics.start_time);
+    if (s.step <= 30 || s.step > 60) counted += std::max(0.0, s.time - begin);
+  });
+  if (setup.decomposition.all().rank() != 0) return;
+  const auto arrays = after.arrays();
+  const auto& weight = array(arrays, "spectra", "weight").values;
+  EXPECT_NEAR(std::accumulate(weight.begin(), weight.end(), 0.0), counted, 1e-9 * counted);
+}
+
 TEST(Spectra, BeginAnewWhereACheckpointHasNone) {
   time::Setup setup(scheduled(elastic_case()), MPI_COMM_WORLD);
   Spectra spectra(setup, kInterval);

@@ -64,7 +64,8 @@ TEST_F(LeftOverTest, AbandonedVariantsDisplaceNoCaseOfTheCampaign) {
   const Campaign before = tests::campaign_of(document_), alone = tests::campaign_of(longer_sweep);
   const ExistingCases existing = existing_cases(alone, folder_.path(), existing_directories(folder_.path()));
   std::set<std::string> ids;
-  for (const auto& one : parse_campaign(longer_sweep.dump(), "campaign", existing).cases) ids.insert(one.definition.id);
+  for (const auto& one : parse_campaign(longer_sweep.dump(), "campaign", existing).cases)
+    ids.insert(one.definition.id);
   for (const auto& one : before.cases) EXPECT_TRUE(ids.contains(one.definition.id)) << one.definition.label;
   EXPECT_GT(ids.size(), before.cases.size());
 }
