@@ -13,7 +13,7 @@ PAPER = {(4, 1), (2, 1), (1, 1), (0.5, 1), (1, 0.1), (1, 10)}  # (G, viscosity r
 
 VALIDATION = {"zalesak": 6, "cavity": 3, "cavity-disc": 3, "rigid-channel": 2, "channel-box": 4, "stiff-layer": 2, "interface-study": 28,
               "elastic-layer": 5, "grid-refinement": 7, "interface-waves": 64, "interface-drift": 18,
-              "growth-rates": 36, "paper-scheme": 6}  # cases of each folder in runs/validation
+              "growth-rates": 36, "paper-scheme": 6, "formulations": 15}  # cases of each folder in runs/validation
 
 
 # Of the two campaigns of the paper's tables: seven are its tables' (a rigid channel, four moduli, two viscosity ratios).
