@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""The same walls carried by both formulations of the solid: rms of the interface and friction in the course of time, a
+column a modulus (runs/validation/formulations); prints the means over the averaging window side by side."""
+
+import argparse
+import json
+import math
+
+import numpy as np
+from campaign_data import arguments, caption, plt, read_campaign, save
+
+LINES = {"reference map": "-", "transported B": "--"}
+
+
+def formulation_of(case):
+    solid = json.loads((case.directory / "case.json").read_text())["physics"]["solid"]
+    return "transported B" if solid.get("formulation") == "transported_B" else "reference map"
+
+
+def shown(case, quantity, digits):
+    """A mean over the window, with its interval where there is one."""
+    value, interval = case.result(quantity), case.result(quantity + "_ci95")
+    return f"{value:.{digits}f}" + (" -" if math.isnan(interval) else f" +- {interval:.{digits}f}")
+
+
+def cells_along_x(grid):
+    return int(grid.split("x")[0])
+
+
+def print_table(cases):
+    print("| cells | G | solid | Re_tau | Re_tau, rigid wall | delta | delta' | width, cells | volume |\n" + "|---" * 9 + "|")
+    for case in cases:
+        width, volume = (case.series.get(name, [math.nan])[-1] for name in ("interface_width_cells", "solid_volume"))
+        at_rest = case.box[0] * case.box[1] * case.layer_height
+        print(f"| {case.grid} | {case.G:g} | {formulation_of(case)} | {shown(case, 're_tau', 1)} | {shown(case, 're_tau_w', 1)} | "
+              f"{shown(case, 'delta_max', 4)} | {shown(case, 'delta_rms', 4)} | {width:.1f} | {volume / at_rest - 1:+.1e} |")
+
+
+def friction(case):
+    """Re_tau of the elastic wall, block by block."""
+    square = case.interface_y * case.series["driving_gradient"] - case.series["wall_shear_bottom"]
+    return case.reynolds * np.sqrt(np.maximum(square, 0))
+
+
+def draw(column, cases, grids):
+    for case in cases:
+        look = {"color": f"C{grids.index(case.grid)}", "linestyle": LINES[formulation_of(case)],
+                "label": f"{case.grid}, {formulation_of(case)}"}
+        t = (case.start + case.end) / 2
+        if "interface_rms" in case.series:
+            column[0].plot(t, case.series["interface_rms"], **look)
+        column[1].plot(t, friction(case), **look)
+    column[0].set(title=f"$G={cases[0].G:g}$", ylabel="rms of the interface, $h$", ylim=(0, None))
+    column[1].set(xlabel="$t$, $h/U_b$", ylabel=r"$Re_\tau$, elastic wall")
+
+
+def main():
+    options = arguments(__doc__)
+    print_table(sorted((case for case in read_campaign(options) if case.elastic),
+                       key=lambda case: (cells_along_x(case.grid), -case.G, formulation_of(case))))
+    whole = argparse.Namespace(**{**vars(options), "start": 0.0})
+    cases = [case for case in read_campaign(whole) if case.elastic]
+    moduli, grids = sorted({case.G for case in cases}, reverse=True), sorted({case.grid for case in cases}, key=cells_along_x)
+    figure, axes = plt.subplots(2, len(moduli), figsize=(4 + 3 * len(moduli), 7), sharex=True, layout="constrained", squeeze=False)
+    for column, G in zip(axes.T, moduli):
+        draw(column, [case for case in cases if case.G == G], grids)
+    axes[0, 0].legend(fontsize="xx-small")
+    save(figure, options, __file__, caption(cases))
+
+
+if __name__ == "__main__":
+    main()
