@@ -6,8 +6,9 @@ import argparse
 import json
 import math
 
-import numpy as np
 from campaign_data import arguments, caption, plt, read_campaign, save
+
+import numpy as np
 
 LINES = {"reference map": "-", "transported B": "--"}
 

@@ -57,7 +57,7 @@ class Intervals(unittest.TestCase):
         series[:, 1] = np.arange(40)  # drifts through the window
         series[:, 2] = 7
         widths = half_width(Blocks(series))
-        self.assertEqual(widths[0], half_width(Blocks(series[:, 0])))
+        self.assertAlmostEqual(widths[0], half_width(Blocks(series[:, 0])), 12)
         self.assertTrue(np.isnan(widths[1]))
         self.assertAlmostEqual(widths[2], 0, delta=1e-12)
 
@@ -73,6 +73,18 @@ class Intervals(unittest.TestCase):
         self.assertGreater(given, 360)
         self.assertGreater(covered / given, 0.90)
         self.assertLess(covered / given, 0.98)
+
+    def test_blocks_of_any_weight_and_number_do(self):
+        random = np.random.default_rng(1)
+        for number, least_given in ((8, 300), (20, 380), (48, 398)):
+            given = covered = 0
+            for _ in range(400):
+                blocks = Blocks(3 + random.standard_normal(number), 1 + random.random(number))
+                width = half_width(blocks)
+                given += not np.isnan(width)
+                covered += abs(blocks.mean() - 3) <= width
+            self.assertGreaterEqual(given, least_given, number)
+            self.assertTrue(0.92 <= covered / given <= 0.985, (number, covered, given))
 
     def test_too_few_blocks_give_none(self):
         self.assertIsNone(half_width(Blocks(np.ones(9), [1, 1, 1, 1, 1, 1, 1, 0, 0])))

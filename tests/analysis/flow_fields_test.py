@@ -115,49 +115,10 @@ class Surfaces(unittest.TestCase):
             self.assertTrue((found[-1] == found[0]).all() and (found[:, -1] == found[:, 0]).all())
 
 
-class Intervals(unittest.TestCase):
-    def case(self, values, weight):
-        case = type("Case", (), {})()
-        case.weight, case.values = np.array(weight, dtype=float), np.array(values)
-        return case
-
-    @staticmethod
-    def mean(case):
-        return np.average(case.values, axis=0, weights=case.weight)
-
-    def test_they_hold_the_truth_about_as_often_as_they_say(self):
-        random = np.random.default_rng(1)
-        for blocks in (8, 20, 48):
-            held = 0
-            for _ in range(400):
-                case = self.case(3 + random.standard_normal((blocks, 1)), 1 + random.random(blocks))
-                held += abs(self.mean(case)[0] - 3) <= batches.half_width(case, self.mean)[0]
-            self.assertTrue(0.92 <= held / 400 <= 0.98, (blocks, held))
-
-    def test_few_blocks_give_none(self):
-        weight = [1] * 7 + [0] * 5  # blocks without samples do not count
-        self.assertIsNone(batches.half_width(self.case(np.zeros(12), weight), self.mean))
-
-
-class Transients(unittest.TestCase):
-    def test_a_decaying_start_is_cut_off_where_the_noise_hides_it(self):
-        random = np.random.default_rng(2)
-        t = np.arange(100)
-        for size, early, late in ((10, 8, 45), (0, 0, 35)):
-            found = [transient.first_kept(5 + size * np.exp(-t / 6) + random.standard_normal(100)) for _ in range(50)]
-            self.assertTrue(early <= np.median(found) <= late, (size, sorted(found)))
-        exact = transient.first_kept(np.where(t < 20, 9.0, 5.0))
-        self.assertEqual(exact, 20)
-
-    def test_few_blocks_tell_nothing(self):
-        self.assertIsNone(transient.first_kept(np.ones(7)))
-
-
 if __name__ == "__main__":
     packages_or_skip.needed("h5py", "matplotlib")
     import numpy as np
 
-    import batches
     import flow_fields
     import moments
     import plot_correlations

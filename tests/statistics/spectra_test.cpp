@@ -135,8 +135,8 @@ TEST(Spectra, KeepWhatTheyHaveWhileNothingIsSampled) {
     const double begin = std::max(s.time - dt, setup.physics.statistics.start_time);
     if (s.step <= 30 || s.step > 60) counted += std::max(0.0, s.time - begin);
   });
-  if (setup.decomposition.all().rank() != 0) return;
   const auto arrays = after.arrays();
+  if (setup.decomposition.all().rank() != 0) return;
   const auto& weight = array(arrays, "spectra", "weight").values;
   EXPECT_NEAR(std::accumulate(weight.begin(), weight.end(), 0.0), counted, 1e-9 * counted);
 }

@@ -23,6 +23,12 @@ class Eta : public ::testing::Test {
            campaign_.cases[i].ranks;
   }
 
+  void finish(std::size_t i) {
+    seen_[i].state = CaseState::kFinished;
+    seen_[i].time = campaign_.cases[i].definition.run.end_time;
+    seen_[i].newest_checkpoint = "its last one";
+  }
+
   Campaign campaign_ = tests::campaign_of(tests::elastic_campaign());  // a precursor and four elastic cases
   std::vector<Observation> seen_;
   std::map<std::string, Status> working_;
@@ -59,17 +65,17 @@ TEST_F(Eta, CountsNothingForWhatWaitsForSomebody) {
 }
 
 TEST_F(Eta, CountsNothingForWhatIsFinishedDivergedOrRefused) {
-  seen_[0].state = CaseState::kFinished;
+  finish(0);
   seen_[1].state = CaseState::kDiverged;
   seen_[2].retry_allowed = false;
-  seen_[3].state = CaseState::kFinished;
+  finish(3);
   EXPECT_NEAR(left(1), seconds_of(4), 1e-6);
-  seen_[4].state = CaseState::kFinished;
+  finish(4);
   EXPECT_EQ(left(1), 0);
 }
 
 TEST_F(Eta, CountsFromWhereACaseHasGotTo) {
-  for (std::size_t i = 0; i < 4; ++i) seen_[i].state = CaseState::kFinished;
+  for (std::size_t i = 0; i < 4; ++i) finish(i);
   seen_[4].time = 25;  // of 50
   EXPECT_NEAR(left(1), seconds_of(4) / 2, 0.01 * seconds_of(4));
 }
@@ -88,7 +94,7 @@ TEST_F(Eta, OfACaseThatHasRunIsWhatWasMeasuredOfItself) {
 }
 
 TEST_F(Eta, BelievesARunningSolver) {
-  for (std::size_t i = 0; i < 4; ++i) seen_[i].state = CaseState::kFinished;
+  for (std::size_t i = 0; i < 4; ++i) finish(i);
   Status status;
   status.time = 40;
   status.dt = 0.1;

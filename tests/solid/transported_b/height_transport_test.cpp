@@ -21,10 +21,12 @@ constexpr double kTurn = 2 * std::numbers::pi;
 /// A layer on top of a box, carried by a velocity that is given.
 class Layer {
  public:
-  Layer(MPI_Comm comm, Domain::Size n, Domain::Lengths length, const std::vector<double>& faces)
+  /// Without wave_speed nothing smooths the surface.
+  Layer(MPI_Comm comm, Domain::Size n, Domain::Lengths length, const std::vector<double>& faces,
+        double wave_speed = 0)
       : d(comm, n, length, faces),
         phi(d.grid, Material::kGhost),
-        transport_(d.grid, d.halo, WenoWeights::kZ, 1) {}
+        transport_(d.grid, d.halo, WenoWeights::kZ, wave_speed) {}
 
   /// eta(x, z): height of the surface over the centers of columns.
   template <class Height>
@@ -111,7 +113,7 @@ TEST_P(LayerUnderAHeight, WithoutMotionTheHeightsStay) {
 /// leave the rows.
 TEST_P(LayerUnderAHeight, NothingIsLostBeyondTheWallOrBelowTheRows) {
   const auto& g = layer.d.grid;
-  const double bottom = g.y_face.front(), wall = g.y_face.back();
+  const double bottom = g.y_face[0], wall = g.y_face[g.ny];
   layer.begin([&](double x, double z) {
     const bool is_crest = (std::lround(x / g.dx - 0.5) + std::lround(z / g.dz - 0.5)) % 3 == 0;
     return is_crest ? wall - 0.02 : bottom + 0.03;
@@ -120,6 +122,26 @@ TEST_P(LayerUnderAHeight, NothingIsLostBeyondTheWallOrBelowTheRows) {
   const grid::VectorField rest(g, 1);
   for (int n = 0; n < 5; ++n) layer.step(rest, 0.1);
   EXPECT_LT(support::largest_difference(layer.heights(), before), support::round_off(200));
+}
+
+/// In a unit of time a wave along x decays by exp(-c (2 - 2 cos(2 pi / n))^3 / (60 dx)), n its length in
+/// columns.
+TEST(LayerUnderASmoothedHeight, LosesWavesOfAFewColumnsAndNoVolume) {
+  constexpr double kSpeed = 0.7, kTime = 0.2, kHeight = 0.01;
+  for (const int columns : {2, 4, 8}) {
+    Layer layer{MPI_COMM_WORLD, {16, 12, 13}, {}, support::faces(12, 2, 0), kSpeed};
+    const auto& g = layer.d.grid;
+    const auto wave = [&](double x, double) {
+      return 1.2 + kHeight * std::cos(kTurn * (x / g.dx - 0.5) / columns);
+    };
+    layer.begin(wave);
+    const double volume = layer.volume(), before = layer.heights().front() - 1.2;
+    const grid::VectorField rest(g, 1);
+    for (int n = 0; n < 20; ++n) layer.step(rest, kTime / 20);
+    const double rate = kSpeed * std::pow(2 - 2 * std::cos(kTurn / columns), 3) / (60 * g.dx);
+    EXPECT_NEAR((layer.heights().front() - 1.2) / before, std::exp(-rate * kTime), 1e-3) << columns;
+    EXPECT_NEAR(layer.volume(), volume, support::round_off(100));
+  }
 }
 
 TEST_P(LayerUnderAHeight, AFlatSurfaceOnAFaceIsFoundThereExactly) {
