@@ -7,7 +7,7 @@ import numpy as np
 
 LEAST = 8  # batches; fewer blocks give no interval
 COUNTS = (64, 48, 32, 24, 16, 12, LEAST)
-CORRELATION_ALLOWED, CORRELATION_REFUSED, CORRELATION_CAUTION = 0.2, 0.6, 0.3
+CORRELATION_ALLOWED, CORRELATION_CAUTION, LEAST_INDEPENDENT = 0.2, 0.3, 2.0
 LEAST_DEGREES = 3.0
 # Student's t, 97.5 %, against the inverse of the degrees of freedom, of which it is nearly a straight line
 DEGREES = np.array((3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 30, 60, np.inf))
@@ -52,10 +52,10 @@ def _widths(case, quantity, count):
     pseudo, number = share * whole - (share - 1) * without, len(groups)
     variance = ((pseudo - pseudo.mean(axis=0)) ** 2 / (share - 1)).mean(axis=0)
     correlation = _lag_one(pseudo)
-    left = np.clip(correlation + CORRELATION_CAUTION / np.sqrt(number), 0, 0.999)
+    left = np.clip(correlation + CORRELATION_CAUTION / np.sqrt(number), 0, 1 - 1e-9)
     inflation = (1 + left) / (1 - left)
     width = _student_t(np.maximum(number / inflation - 1, LEAST_DEGREES)) * np.sqrt(variance * inflation)
-    is_refused = (correlation > CORRELATION_REFUSED) | (number < LEAST)
+    is_refused = (number < LEAST_INDEPENDENT * inflation) | (number < LEAST)
     return np.where(is_refused, np.nan, width), np.where(is_refused, np.inf, correlation)
 
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "analysis/student_t.hpp"
@@ -19,7 +20,7 @@ namespace {
 // numbers lie close together.) More than 64 batches would sharpen Student's t no further.
 constexpr std::array<int, 7> kBatchCounts = {64, 48, 32, 24, 16, 12, kLeastBatches};
 constexpr double kCorrelationAllowed = 0.2;  // stop merging below this lag-1 correlation
-constexpr double kCorrelationRefused = 0.6;  // these batches are too correlated to say anything
+constexpr double kLeastIndependent = 2.0;    // batches as good as fewer independent ones say nothing
 constexpr double kCorrelationCaution = 0.3;  // times its standard error 1/sqrt(g), added before inflating
 constexpr double kLeastDegrees = 3.0;
 
@@ -85,16 +86,21 @@ double lag_one(const std::vector<double>& values) {
   return std::min((product / square + 1.0 / g) / (1.0 - 4.0 / g), 0.99);
 }
 
-/// Jackknife interval, widened by what correlation is left as for a first-order autoregressive process:
-/// variance of the mean times (1 + r)/(1 - r), and as many fewer degrees of freedom.
-double half_width(const std::vector<double>& pseudo, const std::vector<double>& share, double correlation) {
+/// By how much the correlation that is left widens the variance of the mean, and lessens the number of
+/// batches that count, as for a first-order autoregressive process: (1 + r)/(1 - r).
+double inflation_by(double correlation, std::size_t batches) {
+  const double caution = kCorrelationCaution / std::sqrt(static_cast<double>(batches));
+  const double r = std::max(correlation + caution, 0.0);
+  return r < 1.0 ? (1.0 + r) / (1.0 - r) : std::numeric_limits<double>::infinity();
+}
+
+/// Jackknife interval.
+double half_width(const std::vector<double>& pseudo, const std::vector<double>& share, double inflation) {
   const double g = static_cast<double>(pseudo.size()), mean = mean_of(pseudo);
   double variance = 0.0;
   for (std::size_t j = 0; j < pseudo.size(); ++j) {
     variance += (pseudo[j] - mean) * (pseudo[j] - mean) / (share[j] - 1.0) / g;
   }
-  const double r = std::max(correlation + kCorrelationCaution / std::sqrt(g), 0.0);
-  const double inflation = (1.0 + r) / (1.0 - r);
   const double degrees = std::max(g / inflation - 1.0, kLeastDegrees);
   return student_t_975(degrees) * std::sqrt(variance * inflation);
 }
@@ -115,12 +121,12 @@ Finding find(const std::vector<double>& pseudo, const std::vector<double>& share
     finding.interval.reason = "not defined when a part of the window is left out";
     return finding;
   }
-  const double correlation = lag_one(pseudo);
-  if (finding.interval.batches < kLeastBatches || correlation > kCorrelationRefused) {
+  const double correlation = lag_one(pseudo), inflation = inflation_by(correlation, pseudo.size());
+  if (finding.interval.batches < kLeastBatches || finding.interval.batches < kLeastIndependent * inflation) {
     finding.interval.reason = "parts of the window still correlated: average for longer";
     return finding;
   }
-  finding.interval.ci95 = half_width(pseudo, share, correlation);
+  finding.interval.ci95 = half_width(pseudo, share, inflation);
   finding.is_settled = correlation < kCorrelationAllowed;
   return finding;
 }
