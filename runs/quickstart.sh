@@ -18,7 +18,7 @@ quietly() {
   return "$status"
 }
 
-echo "This takes some six to ten minutes on two cores, most of them for packages and building."
+echo "This takes some eight minutes on two cores: two to build, six to run; more where packages are missing."
 step "1/3 Packages"
 begun=$SECONDS
 bash runs/install-packages.sh
