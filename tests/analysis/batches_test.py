@@ -76,7 +76,7 @@ class Intervals(unittest.TestCase):
 
     def test_blocks_of_any_weight_and_number_do(self):
         random = np.random.default_rng(1)
-        for number, least_given in ((8, 300), (20, 380), (48, 398)):
+        for number, least_given in ((8, 280), (20, 380), (48, 398)):
             given = covered = 0
             for _ in range(400):
                 blocks = Blocks(3 + random.standard_normal(number), 1 + random.random(number))
