@@ -6,7 +6,7 @@ import argparse
 import json
 import math
 
-from campaign_data import arguments, caption, plt, read_campaign, save
+from campaign_data import arguments, plt, read_campaign, save
 
 import numpy as np
 
@@ -66,7 +66,8 @@ def main():
     for column, G in zip(axes.T, moduli):
         draw(column, [case for case in cases if case.G == G], grids)
     axes[0, 0].legend(fontsize="xx-small")
-    save(figure, options, __file__, caption(cases))
+    length = np.median(np.concatenate([case.end - case.start for case in cases]))
+    save(figure, options, __file__, f"Every point is the mean over a block of {length:g} $h/U_b$, from the start on.")
 
 
 if __name__ == "__main__":
