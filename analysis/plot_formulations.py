@@ -3,25 +3,23 @@
 column a modulus (runs/validation/formulations); prints the means over the averaging window side by side."""
 
 import argparse
-import json
 import math
 
 from campaign_data import arguments, plt, read_campaign, save
 
+import batches
 import numpy as np
 
 LINES = {"reference map": "-", "transported B": "--"}
 
 
 def formulation_of(case):
-    solid = json.loads((case.directory / "case.json").read_text())["physics"]["solid"]
-    return "transported B" if solid.get("formulation") == "transported_B" else "reference map"
+    return "transported B" if case.physics["solid"].get("formulation") == "transported_B" else "reference map"
 
 
 def shown(case, quantity, digits):
     """A mean over the window, with its interval where there is one."""
-    value, interval = case.result(quantity), case.result(quantity + "_ci95")
-    return f"{value:.{digits}f}" + (" -" if math.isnan(interval) else f" +- {interval:.{digits}f}")
+    return batches.text(case.result(quantity), case.result(quantity + "_ci95"), digits)
 
 
 def cells_along_x(grid):

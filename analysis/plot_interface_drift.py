@@ -8,7 +8,6 @@ The swing is the lowest mode uniform in x of fluid, layer and the pressure gradi
 with u = 0 on both walls, u and its stress continuous at the interface, and no flow: s from the determinant.
 """
 
-import json
 import math
 
 from campaign_data import arguments, caption, plt, read_campaign, save
@@ -88,14 +87,12 @@ def measured_swing(case, guess):
 
 
 def theory_for(case):
-    physics = json.loads((case.directory / "case.json").read_text())["physics"]
-    nu, thickness = 1 / case.reynolds, physics.get("domain", {}).get("layer_height", 0.5)
+    nu, thickness = 1 / case.reynolds, case.layer_height
     return swing_of_theory(case.G, nu, nu * case.ratio, thickness)
 
 
 def swings(case):
-    physics = json.loads((case.directory / "case.json").read_text())["physics"]
-    return physics.get("initial", {}).get("amplitude") == 0
+    return case.physics.get("initial", {}).get("amplitude") == 0
 
 
 def print_waves(cases):

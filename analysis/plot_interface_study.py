@@ -2,7 +2,6 @@
 """Drag, deformation and log-law shift against G for each formulation of the solid and each of its options, grid by
 grid (runs/validation/interface-study); prints the table that its README shows."""
 
-import json
 import math
 
 from campaign_data import LABEL_G, arguments, caption, plt, read_campaign, read_reference, save
@@ -13,7 +12,7 @@ MARKERS = "osv^D<>"
 
 def option_of(case):
     """What the solid is made with, in a few words."""
-    solid = json.loads((case.directory / "case.json").read_text())["physics"]["solid"]
+    solid = case.physics["solid"]
     if solid.get("formulation") == "transported_B":
         weno = {"z": "WENO-Z", "js": "WENO-JS"}[solid.get("weno", "z")]
         transport = {"mthinc": "MTHINC", "height": "height"}.get(solid.get("interface"), weno)

@@ -84,9 +84,11 @@ void Runner::record_what_is_new() {
     if (seen.back().state == CaseState::kFinished && !working_.contains(id) &&
         restore_case_file(one.definition, run))
       progress_.event(one.definition.label + ": its case.json was lost, and is written again");
-    const bool is_known = store_agrees_with_files(before.at(id), seen.back());
-    if (is_known) import_checkpoints(store_, id, run);  // somebody may have removed old ones
-    if (is_known || working_.contains(id)) continue;
+    if (working_.contains(id)) continue;
+    if (store_agrees_with_files(before.at(id), seen.back())) {
+      import_checkpoints(store_, id, run);  // somebody may have removed old ones
+      continue;
+    }
     import_history(store_, one, run, seen.back());
     store_.forgive(id);  // whoever runs the campaign again asks for another try
   }

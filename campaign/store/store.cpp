@@ -185,8 +185,8 @@ void Store::mark_stale(const std::string& version_now) {
       "UPDATE cases SET stale_reason = now.reason FROM ("
       " SELECT c.case_id, coalesce('computed by version ' || group_concat(DISTINCT a.version) ||"
       "  ', this is ' || ?1, '') AS reason"
-      " FROM cases c LEFT JOIN attempts a ON a.case_id = c.case_id AND a.version <> ?1 GROUP BY c.case_id) "
-      "now"
+      " FROM cases c LEFT JOIN attempts a ON a.case_id = c.case_id AND a.version <> ?1"
+      " GROUP BY c.case_id) now"
       " WHERE cases.case_id = now.case_id AND cases.stale_reason <> now.reason",
       version_now);
 }

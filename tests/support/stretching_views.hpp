@@ -9,24 +9,7 @@ namespace softwall::support {
 /// The stretching kernels' input; phi = 1 serves as the mark of edges in the solid.
 inline solid::Stretching stretching(const solid::Material& m, const VectorField& velocity, const Grid& g) {
   const auto all = m.phi.view();
-  return {.u = velocity.x.view(),
-          .v = velocity.y.view(),
-          .w = velocity.z.view(),
-          .xx = m.B.xx.view(),
-          .yy = m.B.yy.view(),
-          .zz = m.B.zz.view(),
-          .xy = m.B.xy.view(),
-          .xz = m.B.xz.view(),
-          .yz = m.B.yz.view(),
-          .in_xy = all,
-          .in_xz = all,
-          .in_yz = all,
-          .inv_dy = g.inv_dy.data(),
-          .inv_dy_face = g.inv_dy_face.data(),
-          .dy = g.dy.data(),
-          .dy_face = g.dy_face.data(),
-          .inv_dx = Real(1 / g.dx),
-          .inv_dz = Real(1 / g.dz)};
+  return solid::stretching_of(m.B, velocity, {all, all, all}, g);
 }
 
 /// B the same in every cell, ghost cells too; phi = 1.

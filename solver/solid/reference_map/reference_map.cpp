@@ -113,8 +113,8 @@ void ReferenceMap::extend_below_surface(Material& m, int first_row) {
   extrapolation_.extend(own_heights_, lowest, d);
   fill_ghosts(d, first_row);
   isochoric_extension_.apply(own_heights_, lowest, d);
-  fill_beyond_walls(
-      d, first_row);  // where the layer is two rows thin, those beyond the wall mirror the extended ones
+  // Where the layer is two rows thin, those beyond the wall mirror rows that were extended.
+  fill_beyond_walls(d, first_row);
   halo_.fill({&d.y}, rows_with_ghosts(first_row));
 }
 

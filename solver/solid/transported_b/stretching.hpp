@@ -150,4 +150,32 @@ struct Stretching {
   Real rate_yz_wall(int i, int j, int k) const { return dwdy(i, j, k); }
 };
 
+/// 1 on edges in the solid, 0 on those that touch the fluid.
+struct EdgeMarks {
+  View<const Real> xy, xz, yz;
+};
+
+/// What the kernels read of these fields.
+[[nodiscard]] inline Stretching stretching_of(const grid::TensorField& B, const grid::VectorField& velocity,
+                                              const EdgeMarks& in, const grid::Grid& g) {
+  return {.u = velocity.x.view(),
+          .v = velocity.y.view(),
+          .w = velocity.z.view(),
+          .xx = B.xx.view(),
+          .yy = B.yy.view(),
+          .zz = B.zz.view(),
+          .xy = B.xy.view(),
+          .xz = B.xz.view(),
+          .yz = B.yz.view(),
+          .in_xy = in.xy,
+          .in_xz = in.xz,
+          .in_yz = in.yz,
+          .inv_dy = g.inv_dy.data(),
+          .inv_dy_face = g.inv_dy_face.data(),
+          .dy = g.dy.data(),
+          .dy_face = g.dy_face.data(),
+          .inv_dx = Real(1 / g.dx),
+          .inv_dz = Real(1 / g.dz)};
+}
+
 }  // namespace softwall::solid

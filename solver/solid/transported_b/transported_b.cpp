@@ -27,29 +27,6 @@ Real threshold_of(const SolidSpec& spec) {
   return Real(is_height ? std::min(spec.threshold, kHighestThresholdOfAHeight) : spec.threshold);
 }
 
-Stretching stretching_of(const Material& m, const grid::VectorField& velocity, const SolidEdges& in,
-                         const Grid& g) {
-  const auto& B = m.B;
-  return {.u = velocity.x.view(),
-          .v = velocity.y.view(),
-          .w = velocity.z.view(),
-          .xx = B.xx.view(),
-          .yy = B.yy.view(),
-          .zz = B.zz.view(),
-          .xy = B.xy.view(),
-          .xz = B.xz.view(),
-          .yz = B.yz.view(),
-          .in_xy = in.xy.view(),
-          .in_xz = in.xz.view(),
-          .in_yz = in.yz.view(),
-          .inv_dy = g.inv_dy.data(),
-          .inv_dy_face = g.inv_dy_face.data(),
-          .dy = g.dy.data(),
-          .dy_face = g.dy_face.data(),
-          .inv_dx = Real(1 / g.dx),
-          .inv_dz = Real(1 / g.dz)};
-}
-
 /// rate += source, or = source.
 template <class Source>
 void add(grid::Field& rate, const grid::Box& box, const Source& source) {
@@ -118,7 +95,7 @@ void TransportedB::find_rates(const Material& m, const grid::VectorField& veloci
   advection_.rate_of(m.B.yz, EdgeYzVelocity{base}, j0, now_.B.yz);
 
   mark_solid_edges(m, threshold_, grid_, j0, edges_);
-  const Stretching s = stretching_of(m, velocity, edges_, grid_);
+  const Stretching s = stretching_of(m.B, velocity, edges_.marks(), grid_);
   const auto centers = grid::rows(grid_, j0, ny), faces = grid::rows(grid_, std::max(j0, 1), ny);
   add(now_.B.xx, centers, [=](int i, int j, int k) { return s.rate_xx(i, j, k); });
   add(now_.B.yy, centers, [=](int i, int j, int k) { return s.rate_yy(i, j, k); });

@@ -5,16 +5,14 @@
 #include "campaign/observe/history.hpp"
 #include "campaign/observe/observe.hpp"
 #include "tests/campaign/observe/run_directory_files.hpp"
-#include "tests/campaign/store/examples.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/campaign/store/recorded_campaign.hpp"
 
 /// What a store learns from run directories that say more, or less, than it knows.
 namespace softwall::campaign::tests {
 namespace {
 
-class ImportTest : public ::testing::Test {
+class ImportTest : public RecordedCampaign {
  protected:
-  ImportTest() { store.record_campaign(campaign); }
   /// A result over the window that starts here, recorded while the case was running.
   void record_window(double start) {
     analysis::DerivedQuantities derived = result_made_of(100);
@@ -22,12 +20,6 @@ class ImportTest : public ::testing::Test {
     store.record_result(one.definition.id, derived, "");
   }
   [[nodiscard]] bool has_result() const { return store.result_origin(one.definition.id).has_value(); }
-
-  test::TemporaryFolder folder;
-  Store store = Store::open(folder.path(), OpenMode::kCreate);
-  Campaign campaign = paper_campaign();
-  CampaignCase& one = campaign.cases.back();
-  RunFiles run = run_files(folder.path(), one);
 };
 
 /// A backup of results.db that is two attempts old took the place of a damaged one.

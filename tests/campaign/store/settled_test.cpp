@@ -9,8 +9,7 @@
 #include "campaign/observe/observe.hpp"
 #include "tests/campaign/observe/run_directory_files.hpp"
 #include "tests/campaign/runner/fake_launcher.hpp"
-#include "tests/campaign/store/examples.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/campaign/store/recorded_campaign.hpp"
 
 namespace softwall::campaign::tests {
 namespace {
@@ -18,12 +17,9 @@ namespace {
 /// Times of change and of records are compared to the millisecond.
 void let_time_pass() { std::this_thread::sleep_for(std::chrono::milliseconds(20)); }
 
-class SettledTest : public ::testing::Test {
+class SettledTest : public RecordedCampaign {
  protected:
-  SettledTest() {
-    store.record_campaign(campaign);
-    finish(one);
-  }
+  SettledTest() { finish(one); }
   /// Leaves the case as a runner would have left it at its end.
   void finish(const CampaignCase& which) {
     const RunFiles files = run_files(folder.path(), which);
@@ -40,12 +36,6 @@ class SettledTest : public ::testing::Test {
   [[nodiscard]] bool settled(const CampaignCase& which) const {
     return is_settled(which, store.find_case(which.definition.id).value(), run_files(folder.path(), which));
   }
-
-  test::TemporaryFolder folder;
-  Store store = Store::open(folder.path(), OpenMode::kCreate);
-  Campaign campaign = paper_campaign();
-  CampaignCase& one = campaign.cases.back();
-  RunFiles run = run_files(folder.path(), one);
 };
 
 TEST_F(SettledTest, IsWhatFinishedAndWasLeftAlone) {
