@@ -11,10 +11,9 @@
 /// the partial values are gathered and combined in rank order. Restart is bitwise because of this.
 namespace softwall::parallel {
 
-/// Element-wise sum over ranks, in place.
-inline void sum(const Communicator& comm, std::span<double> values) {
+/// Element-wise sum over ranks, in place, with room for the values of all ranks.
+inline void sum_at_once(const Communicator& comm, std::span<double> values) {
   const int ranks = comm.size();
-  if (ranks == 1) return;
   const auto n = static_cast<int>(values.size());
   std::array<double, 512> room{};  // reductions of a time step are small and need no allocation
   std::vector<double> more;
@@ -25,6 +24,16 @@ inline void sum(const Communicator& comm, std::span<double> values) {
         "MPI_Allgather");
   std::fill(values.begin(), values.end(), 0.0);
   for (std::size_t i = 0; i < parts.size(); ++i) values[i % values.size()] += parts[i];
+}
+
+/// Element-wise sum over ranks, in place: piece by piece, so that however many values and ranks there are,
+/// a rank needs 8 MiB for it.
+inline void sum(const Communicator& comm, std::span<double> values) {
+  if (comm.size() == 1) return;
+  constexpr std::size_t kRoom = std::size_t{1} << 20;
+  const std::size_t piece = std::max<std::size_t>(kRoom / static_cast<std::size_t>(comm.size()), 1);
+  for (std::size_t begin = 0; begin < values.size(); begin += piece)
+    sum_at_once(comm, values.subspan(begin, std::min(piece, values.size() - begin)));
 }
 
 [[nodiscard]] inline double sum(const Communicator& comm, double value) {

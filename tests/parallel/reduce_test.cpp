@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace softwall::parallel {
 namespace {
@@ -26,6 +27,16 @@ TEST(Reduce, SumsElementByElement) {
   EXPECT_DOUBLE_EQ(values[0], n);
   EXPECT_DOUBLE_EQ(values[1], n * (n - 1) / 2);
   EXPECT_DOUBLE_EQ(values[2], (n - 1) * n * (2 * n - 1) / 6);
+}
+
+TEST(Reduce, SumsMoreThanItHasRoomForAtOnce) {
+  const auto comm = Communicator::duplicate(MPI_COMM_WORLD);
+  const double r = comm.rank(), n = comm.size();
+  std::vector<double> values((std::size_t{1} << 20) + 3);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = r + static_cast<double>(i);
+  sum(comm, values);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    ASSERT_EQ(values[i], n * static_cast<double>(i) + n * (n - 1) / 2) << i;
 }
 
 TEST(Reduce, FindsExtremesOfNegativeNumbersToo) {
