@@ -106,6 +106,7 @@ ExitCode Simulation::run() {
   Decision next = decide();
   last_step_ = time::choose_time_step(state_, setup_, next.convection_rate);
   write_status();
+  if (!has_reached(state_.time, case_.run.end_time)) remove_lost_moments();
   if (state_.step == 0) write_first_moments();
   while (!next.stop() && !has_reached(state_.time, case_.run.end_time)) {
     const double time_before = state_.time;
@@ -183,6 +184,14 @@ void Simulation::checkpoint() {
   checkpoint_step_ = state_.step;
   checkpoint_timer_.reset();
   checkpoint_duration_ = output::Timer::seconds_since(begin);
+}
+
+/// Those of an attempt that got further than the checkpoint from which this one goes on.
+void Simulation::remove_lost_moments() {
+  agree_on_root(world_, ExitCode::kIoFailure, [&] {
+    snapshots_.remove_later_than(options_.files.fields_of(state_.step));
+    film_.remove_later_than(state_.step);
+  });
 }
 
 /// What later shapes are compared with.

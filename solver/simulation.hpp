@@ -63,6 +63,7 @@ class Simulation {
   void stop_if_diverged(double convection_rate) const;
   [[nodiscard]] bool time_is_up() const;
   void checkpoint();
+  void remove_lost_moments();
   void write_first_moments();
   void write_moments(double time_before);
   void write_planes();

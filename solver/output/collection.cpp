@@ -19,13 +19,21 @@ namespace {
 
 constexpr std::string_view kEnd = "</Grid></Domain></Xdmf>\n";
 
+/// <begin><step>.h5, and nothing else that a user may have put beside it.
+bool is_moment(const std::string& name, const std::string& begin) {
+  constexpr std::string_view kEnding = ".h5";
+  if (!name.starts_with(begin) || !name.ends_with(kEnding)) return false;
+  const std::string step = name.substr(begin.size(), name.size() - begin.size() - kEnding.size());
+  return !step.empty() && step.find_first_not_of("0123456789") == std::string::npos;
+}
+
 /// In the order of their steps.
 std::vector<std::filesystem::path> moments_beside(const std::filesystem::path& collection) {
   const std::string begin = collection.stem().string() + "-";
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(collection.parent_path())) {
     const auto& file = entry.path();
-    if (file.extension() == ".h5" && file.filename().string().starts_with(begin)) files.push_back(file);
+    if (is_moment(file.filename(), begin)) files.push_back(file);
   }
   std::ranges::sort(files);
   return files;
@@ -47,6 +55,14 @@ void Collection::add(const std::filesystem::path& moment) {
   if (!as_left || known_.rbegin()->first >= name) return write_anew();
   append(text);
   known_[name] = hash;
+}
+
+void Collection::remove_later_than(const std::filesystem::path& moment) {
+  if (!std::filesystem::is_directory(file_.parent_path())) return;
+  bool removed = false;
+  for (const auto& file : moments_beside(file_))
+    if (file.filename() > moment.filename()) removed = std::filesystem::remove(file) || removed;
+  if (removed) write_anew();
 }
 
 void Collection::write_anew() {

@@ -23,6 +23,11 @@ class Collection {
   /// written, std::runtime_error when the moment cannot be read.
   void add(const std::filesystem::path& moment);
 
+  /// Removes the moments later than this one, which need not exist: an attempt that got further was lost with
+  /// the end of its trajectory, and the one that goes on writes its own, on other ranks at other steps.
+  /// Throws std::system_error.
+  void remove_later_than(const std::filesystem::path& moment);
+
  private:
   void write_anew();
   void append(const std::string& text);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ class Film {
   /// heights: of the interface over this rank's columns, i + nx k, h (statistics/interface_height.hpp); not
   /// looked at without a layer. Collective. Throws AgreedError (75) where it cannot be written.
   void write(const time::State& state, const std::vector<double>& heights);
+
+  /// Removes the files of later steps (collection.hpp). On one rank.
+  void remove_later_than(std::int64_t step) { collection_.remove_later_than(run_.planes_of(step)); }
 
  private:
   struct Named {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "solver/output/agree.hpp"
 #include "solver/output/checkpoint_reader.hpp"
 #include "solver/run_directory/output_size.hpp"
 #include "tests/output/sample_state.hpp"
@@ -107,6 +108,27 @@ TEST_F(SnapshotTest, StandInOneCollectionWithTheirTimes) {
   }
   EXPECT_EQ(text.find("fields-000000009"), std::string::npos);
   EXPECT_EQ(text.find("phi"), std::string::npos);
+}
+
+TEST_F(SnapshotTest, ThoseOfALostTrajectoryAreRemoved) {
+  time::Setup setup(support::rigid_channel({12, 8, 0, 14}), world_.get());
+  time::State state = time::state_at_rest(setup);
+  for (const std::int64_t step : {0, 10, 21, 30}) write(state, setup, step);
+  const auto of_user = run_.fields() / "fields-mean.h5";
+  agree_on_root(world_, ExitCode::kIoFailure, [&] {
+    std::ofstream(of_user) << "what a user made of them";
+    collection_.remove_later_than(run_.fields_of(20));
+  });
+  EXPECT_TRUE(std::filesystem::exists(of_user));
+  for (const std::int64_t step : {0, 10}) EXPECT_TRUE(std::filesystem::exists(run_.fields_of(step))) << step;
+  for (const std::int64_t step : {21, 30}) {
+    const std::string name = run_.fields_of(step).filename();
+    EXPECT_FALSE(std::filesystem::exists(run_.fields() / name)) << name;
+    EXPECT_EQ(collection_text().find(name), std::string::npos) << name;
+  }
+  write(state, setup, 22);
+  EXPECT_NE(collection_text().find("fields-000000022"), std::string::npos);
+  EXPECT_NE(collection_text().find("fields-000000010"), std::string::npos);
 }
 
 /// But for what HDF5 keeps for itself, which is less than a field.

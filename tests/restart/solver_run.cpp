@@ -164,15 +164,11 @@ void damage(const fs::path& file) {
   stream.put(byte);
 }
 
-namespace {
-
 std::set<std::string> names_in(const fs::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
   return names;
 }
-
-}  // namespace
 
 void expect_same_film(const SolverRun& a, const SolverRun& b, std::size_t moments) {
   const auto names = names_in(a.files().planes());

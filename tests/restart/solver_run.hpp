@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "solver/run_directory/run_files.hpp"
@@ -61,6 +62,9 @@ class SolverRun {
 [[nodiscard]] nlohmann::json filmed(nlohmann::json definition, double interval);
 
 [[nodiscard]] std::string contents(const std::filesystem::path& file);
+
+/// Of the files in a folder.
+[[nodiscard]] std::set<std::string> names_in(const std::filesystem::path& folder);
 
 /// All bytes behind a checkpoint's header: state, statistics and diagnostics.
 [[nodiscard]] std::string checkpoint_data(const std::filesystem::path& file);
