@@ -1,9 +1,7 @@
 #include "campaign/store/import_results.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <stdexcept>
-#include <string_view>
 
 #include "analysis/derived.hpp"
 #include "campaign/observe/attempt_end.hpp"
@@ -57,11 +55,6 @@ void restore_newest_attempt(Store& store, const CampaignCase& one, const RunFile
   store.restore_attempt(id, newest, start, describe_end(one, run, newest));
 }
 
-/// A time to the second, whether written with fractions or without.
-std::string_view seconds_of(std::string_view time) {
-  return time.substr(0, std::strlen("2026-01-31T23:59:59"));
-}
-
 bool is_same_window(const ResultOrigin& origin, const analysis::DerivedQuantities& derived) {
   return origin.analysis_version == analysis::kAnalysisVersion &&
          origin.window_asked == derived.window_asked && origin.window_start == derived.window_start &&
@@ -69,12 +62,12 @@ bool is_same_window(const ResultOrigin& origin, const analysis::DerivedQuantitie
 }
 
 /// The result is current when it has the same window and was recorded after the attempt ended. The window
-/// alone does not tell: two attempts can end within a second, and a window whose last block has only grown
-/// keeps its ends. Deriving again is cheap and harmless. (Both times are UTC in one form, so that they
-/// compare as texts.)
+/// alone does not tell: one whose last block has only grown keeps its ends. (Both times are UTC in one form,
+/// so that they compare as texts. Earlier versions wrote no fractions of a second; at worst such a result is
+/// derived once more, which is cheap and harmless.)
 bool is_current(const ResultOrigin& origin, const analysis::DerivedQuantities& derived,
                 const Summary& summary) {
-  return is_same_window(origin, derived) && seconds_of(origin.recorded) >= seconds_of(summary.ended);
+  return is_same_window(origin, derived) && origin.recorded >= summary.ended;
 }
 
 /// Records a result unless the store has one of which `is_same` says that it is the same. True when it was
