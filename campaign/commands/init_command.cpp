@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/commands/commands.hpp"
+#include "campaign/core/parameters.hpp"
 #include "campaign/core/spec.hpp"
 #include "campaign/store/result_table.hpp"
 #include "campaign/system/shell_words.hpp"
@@ -43,13 +44,20 @@ std::string text_for(const fs::path& folder) {
   return text;
 }
 
+/// Where the schema describes what stands there: a swept parameter is one of "physics".
+json::json_pointer described_at(const json::json_pointer& at) {
+  if (at.empty() || at.parent_pointer() != json::json_pointer("/sweep/grid")) return at;
+  const Parameter* parameter = find_parameter(at.back());
+  return parameter == nullptr ? at : json::json_pointer("/physics") / parameter->pointer;
+}
+
 /// One row a key: where it stands, what was written, what the schema says of it.
 void explain(const json& node, const json::json_pointer& at, ResultTable& table) {
   if (node.is_object()) {
     for (const auto& [key, member] : node.items()) explain(member, at / key, table);
     return;
   }
-  const json* schema = campaign_schema().part(at);
+  const json* schema = campaign_schema().part(described_at(at));
   if (schema == nullptr || !schema->contains("description")) return;
   std::string place;
   for (json::json_pointer rest = at; !rest.empty(); rest.pop_back())
