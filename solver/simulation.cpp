@@ -219,7 +219,7 @@ void Simulation::write_snapshot() {
 void Simulation::write_planes() {
   if (film_.none()) return;
   const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
-  film_.write(state_, film_.has_layer() ? statistics::heights_of_solid(state_.material.phi, setup_.grid)
+  film_.write(state_, film_.has_layer() ? statistics::heights_of_interface(state_.material, setup_.grid)
                                         : std::vector<double>());
 }
 

@@ -101,7 +101,7 @@ void Film::add_interface(const std::vector<double>& heights, std::vector<NamedAr
   arrays.push_back(described(exact_array("interface", "position", {columns.position}), "h",
                              "height of the interface at rest"));
   arrays.push_back(described(array_of("interface", "height", columns.shape(g), values), "h",
-                             "of the interface over each column, from the volume of its solid"));
+                             "of the interface over each column, as the statistics take it"));
 }
 
 void Film::write(const time::State& state, const std::vector<double>& heights) {

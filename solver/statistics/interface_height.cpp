@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/parallel/reduce.hpp"
+#include "solver/solid/reference_map/surface.hpp"
 
 namespace softwall::statistics {
 
@@ -73,6 +74,15 @@ std::vector<double> heights_of_solid(const grid::Field& field, const grid::Grid&
   return heights;
 }
 
+std::vector<double> heights_of_interface(const solid::Material& material, const grid::Grid& g) {
+  if (material.formulation != SolidFormulation::kReferenceMap) return heights_of_solid(material.phi, g);
+  solid::reference_map::Heights surface(g, 0);
+  surface.find(material.displacement.y, material.surface_at_rest);
+  std::vector<double> heights;
+  for (int k = 0; k < g.nz; ++k) heights.insert(heights.end(), surface.row(k), surface.row(k) + g.nx);
+  return heights;
+}
+
 InterfaceShape shape_of(const std::vector<double>& eta, const grid::Grid& g,
                         const parallel::Decomposition& decomposition) {
   const auto& all = decomposition.all();
@@ -90,11 +100,6 @@ InterfaceShape shape_of(const std::vector<double>& eta, const grid::Grid& g,
   shape.rms = std::sqrt(parallel::sum(all, squares) / columns);
   shape.max_deviation = parallel::maximum(all, top);
   return shape;
-}
-
-InterfaceShape interface_shape(const grid::Field& phi, const grid::Grid& g,
-                               const parallel::Decomposition& decomposition) {
-  return shape_of(heights_of_solid(phi, g), g, decomposition);
 }
 
 double interface_width(const grid::Field& phi, const grid::Grid& g,

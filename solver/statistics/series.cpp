@@ -19,7 +19,7 @@ constexpr std::array<SeriesKind, 12> kSeriesKinds = {{
     {"interface_max", Combine::kMean, "", ""},
     {"interface_peak", Combine::kMaximum, "", ""},
     {"min_eigenvalue", Combine::kMinimum, "1", "smallest eigenvalue of B in the block"},
-    {"max_det_error", Combine::kMaximum, "1", "largest |det B - 1| in the solid in the block"},
+    {"max_det_error", Combine::kMaximum, "1", kDetErrorMeaning},
     {"interface_width_cells", Combine::kMean, "cells", "10-90 % width of the solid fraction"},
     {"solid_volume", Combine::kMean, "h^3", "volume of the solid"},
 }};
@@ -45,7 +45,7 @@ std::vector<double> series_sample(const time::State& s, const time::Setup& setup
   std::vector<double> values = {means(kViscousStress, 0), -means(kViscousStress, g.ny),
                                 bulk_velocity(means, s, g)};
   if (!s.elastic) return values;
-  const InterfaceShape eta = interface_shape(s.material.phi, g, setup.decomposition);
+  const InterfaceShape eta = shape_of(heights_of_interface(s.material, g), g, setup.decomposition);
   const SolidHealth health = solid_health(s, setup);
   values.insert(values.end(), {eta.mean, eta.rms, eta.rms * eta.rms, eta.max_deviation, eta.max_deviation,
                                health.min_eigenvalue, health.max_det_error, health.interface_width_cells,

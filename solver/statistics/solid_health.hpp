@@ -5,6 +5,10 @@
 
 namespace softwall::statistics {
 
+inline constexpr const char* kDetErrorMeaning =
+    "largest |det B - 1| in the solid in the block; with a reference map, of F F^T before its volume is set "
+    "right";
+
 /// Signs of a solid that is well resolved, or not.
 struct SolidHealth {
   double min_eigenvalue = 1;         ///< smallest eigenvalue of B at any center of the rows that hold solid

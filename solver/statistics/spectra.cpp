@@ -53,7 +53,7 @@ void Spectra::sample_step(const time::State& s, double dt) {
   const bool wave_is_due = waves_ && InterfaceModes::is_due(s, dt), is_due = s.step % interval_steps_ == 0;
   if (!wave_is_due && !is_due) return;
   std::vector<double> heights;
-  if (s.elastic) heights = heights_of_solid(s.material.phi, setup_.grid);
+  if (s.elastic) heights = heights_of_interface(s.material, setup_.grid);
   if (wave_is_due) waves_->add(s, heights, setup_);
   if (is_due) sample_fields(s, clock_.take(s.time), heights);
 }

@@ -23,7 +23,7 @@ constexpr std::array<SeriesKind, 11> kKinds = {{
     {"wave_v_solid_sin", Combine::kMean, "U_b", "sin(k x) part of v at half the height of the layer"},
     {"wave_height_sin", Combine::kMean, "h", "sin(k x) part of the height of the interface"},
     {"min_eigenvalue", Combine::kMinimum, "1", "smallest eigenvalue of B in the block"},
-    {"max_det_error", Combine::kMaximum, "1", "largest |det B - 1| in the solid in the block"},
+    {"max_det_error", Combine::kMaximum, "1", kDetErrorMeaning},
 }};
 
 /// Parts of the longest wave in what stands at the centers of all columns: 2 / N sum q cos(k x), and of sin.
@@ -53,7 +53,7 @@ Parts parts_of_v(const time::State& s, const time::Setup& setup, int row) {
 }
 
 Parts parts_of_height(const time::State& s, const time::Setup& setup) {
-  const auto heights = heights_of_solid(s.material.phi, setup.grid);
+  const auto heights = heights_of_interface(s.material, setup.grid);
   return wave_parts(setup,
                     [&](int i, int k) { return heights[static_cast<std::size_t>(i + setup.grid.nx * k)]; });
 }

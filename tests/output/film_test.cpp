@@ -44,7 +44,7 @@ std::string contents(const std::filesystem::path& file) {
 }
 
 void write_moment(Film& film, const time::State& state, const time::Setup& setup) {
-  film.write(state, film.has_layer() ? statistics::heights_of_solid(state.material.phi, setup.grid)
+  film.write(state, film.has_layer() ? statistics::heights_of_interface(state.material, setup.grid)
                                      : std::vector<double>());
 }
 
@@ -133,7 +133,8 @@ TEST_F(FilmTest, HoldTheHeightThatTheStatisticsTake) {
       EXPECT_NEAR(eta, g.y_face[9] - (0.1 + 0.05 * ((i + 3 * k) % 17)) * g.dy[8], 3e-7);
       sum += eta;
     }
-  const auto shape = statistics::interface_shape(state.material.phi, g, setup.decomposition);
+  const auto shape =
+      statistics::shape_of(statistics::heights_of_interface(state.material, g), g, setup.decomposition);
   EXPECT_NEAR(sum / (kNx * kNz), shape.mean, 1e-7);
   EXPECT_GT(shape.rms, 0.02);
 }

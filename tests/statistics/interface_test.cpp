@@ -27,6 +27,10 @@ grid::Field solid_above(const grid::Grid& g, double width, const std::function<d
   return phi;
 }
 
+InterfaceShape shape_of_solid(const grid::Field& phi, const time::Setup& setup) {
+  return shape_of(heights_of_solid(phi, setup.grid), setup.grid, setup.decomposition);
+}
+
 TEST(Interface, ShapeOfAWavyInterface) {
   for (const double stretching : {0.0, 1.5}) {
     auto physics = elastic_case();
@@ -35,7 +39,7 @@ TEST(Interface, ShapeOfAWavyInterface) {
     const auto phi = solid_above(setup.grid, 0.6, [&](double x, double z) {
       return 1.98 + 0.08 * std::cos(2 * kPi * x / 4) * std::cos(2 * kPi * z / 3);
     });
-    const auto shape = interface_shape(phi, setup.grid, setup.decomposition);
+    const auto shape = shape_of_solid(phi, setup);
     EXPECT_NEAR(shape.mean, 1.98, 1e-13);
     EXPECT_NEAR(shape.rms, 0.08 / 2, 1e-13);
     EXPECT_NEAR(shape.max_deviation, 0.08, 1e-13);
@@ -45,7 +49,7 @@ TEST(Interface, ShapeOfAWavyInterface) {
 TEST(Interface, AFlatLayerLiesAtTheInterfaceOfTheCase) {
   const time::Setup setup(elastic_case(), MPI_COMM_WORLD);
   const auto state = time::state_at_rest(setup.grid, SolidFormulation::kTransportedB);
-  const auto shape = interface_shape(state.material.phi, setup.grid, setup.decomposition);
+  const auto shape = shape_of_solid(state.material.phi, setup);
   EXPECT_NEAR(shape.mean, 2, 1e-14);
   EXPECT_NEAR(shape.rms, 0, 1e-14);
   EXPECT_NEAR(shape.max_deviation, 0, 1e-14);
@@ -64,7 +68,7 @@ TEST(Interface, ShapeOfASharpInterface) {
       const double eta = 1.98 + 0.2 * std::cos(2 * kPi * x / 4) * std::cos(2 * kPi * z / 3);
       phi(i, j, k) = std::clamp((g.y_face[j + 1] - eta) / g.dy[j], 0.0, 1.0);
     });
-    const auto shape = interface_shape(phi, g, setup.decomposition);
+    const auto shape = shape_of_solid(phi, setup);
     EXPECT_NEAR(shape.mean, 1.98, 1e-13);
     EXPECT_NEAR(shape.rms, 0.2 / 2, 1e-13);
     EXPECT_NEAR(shape.max_deviation, 0.2, 1e-13);
@@ -88,16 +92,16 @@ TEST(Interface, IsFoundFromTheSolidSide) {
   const auto& g = setup.grid;
   auto phi = solid_above(g, 0.5, [](double, double) { return 1.875; });
   for_columns(g, 3, 5, [&](int i, int j, int k, double, double) { phi(i, j, k) = 1; });  // a drop of solid
-  EXPECT_NEAR(interface_shape(phi, g, setup.decomposition).mean, 1.875, 1e-13);
+  EXPECT_NEAR(shape_of_solid(phi, setup).mean, 1.875, 1e-13);
 }
 
 TEST(Interface, ColumnsWithoutACrossingEndAtAWall) {
   const time::Setup setup(elastic_case(), MPI_COMM_WORLD);
   const auto& g = setup.grid;
   grid::Field phi(g, 3);
-  EXPECT_NEAR(interface_shape(phi, g, setup.decomposition).mean, 2.5, 1e-14);
+  EXPECT_NEAR(shape_of_solid(phi, setup).mean, 2.5, 1e-14);
   for_columns(g, 0, g.ny, [&](int i, int j, int k, double, double) { phi(i, j, k) = 1; });
-  EXPECT_NEAR(interface_shape(phi, g, setup.decomposition).mean, 0, 1e-14);
+  EXPECT_NEAR(shape_of_solid(phi, setup).mean, 0, 1e-14);
 }
 
 TEST(Interface, AValueEqualToTheLevelIsSolid) {
@@ -113,7 +117,23 @@ TEST(Interface, MovesAsFarAsTheMaterialHoweverLittle) {
   const time::Setup setup(elastic_case(), MPI_COMM_WORLD);
   const auto& g = setup.grid;
   const auto phi = solid_above(g, 1e-9, [](double x, double) { return 2 + 1e-5 * std::sin(kPi * x / 2); });
-  EXPECT_NEAR(interface_shape(phi, g, setup.decomposition).rms, 1e-5 / std::sqrt(2), 1e-11);
+  EXPECT_NEAR(shape_of_solid(phi, setup).rms, 1e-5 / std::sqrt(2), 1e-11);
+}
+
+/// The surface of a reference map is known over the centers of columns, however few there are to a wave.
+TEST(Interface, OfAReferenceMapIsTheMaterialSurface) {
+  const time::Setup setup(elastic_case(), MPI_COMM_WORLD);
+  const auto& g = setup.grid;
+  auto state = time::state_at_rest(g, SolidFormulation::kReferenceMap);
+  const auto raised = [&](double x, double z) {
+    return 0.03 * std::cos(2 * kPi * x / 4) * std::cos(2 * kPi * z / 3);
+  };
+  auto& d = state.material.displacement.y;
+  for_columns(g, 0, g.ny + 1, [&](int i, int j, int k, double x, double z) { d(i, j, k) = raised(x, z); });
+  const auto heights = heights_of_interface(state.material, g);
+  for_columns(g, 0, 1, [&](int i, int, int k, double x, double z) {
+    EXPECT_NEAR(heights[static_cast<std::size_t>(i + g.nx * k)], 2 + raised(x, z), 1e-13) << i << ' ' << k;
+  });
 }
 
 TEST(Interface, DustDoesNotCount) {
@@ -121,7 +141,7 @@ TEST(Interface, DustDoesNotCount) {
   const auto& g = setup.grid;
   auto phi = solid_above(g, 0.5, [](double, double) { return 1.875; });
   for_columns(g, 0, 8, [&](int i, int j, int k, double, double) { phi(i, j, k) += 0.01; });
-  EXPECT_NEAR(interface_shape(phi, g, setup.decomposition).mean, 1.875, 0.011 / 8);
+  EXPECT_NEAR(shape_of_solid(phi, setup).mean, 1.875, 0.011 / 8);
 }
 
 }  // namespace

@@ -82,7 +82,8 @@ TEST(Spectra, AreWrittenAsMeansOfBlocks) {
   advance_disturbed(setup, 7, [&](const time::State& s, double dt) {  // 0.01 .. 0.03
     spectra.sample_step(s, dt);
     if (s.step % kInterval != 0 || s.time <= 0.01) return;
-    const auto shape = interface_shape(s.material.phi, setup.grid, setup.decomposition);
+    const auto shape =
+        shape_of(heights_of_interface(s.material, setup.grid), setup.grid, setup.decomposition);
     variance += shape.rms * shape.rms * (s.time - last);
     since += s.time - last;
     last = s.time;

@@ -128,7 +128,9 @@ TEST(Statistics, KeepThePeakOfTheInterfaceAndTheWorstOfTheSolid) {
   double peak = 0, worst = 1, det = 0;
   advance_disturbed(setup, 12, [&](const time::State& s, double dt) {
     statistics.sample_step(s, dt);
-    peak = std::max(peak, interface_shape(s.material.phi, setup.grid, setup.decomposition).max_deviation);
+    peak =
+        std::max(peak, shape_of(heights_of_interface(s.material, setup.grid), setup.grid, setup.decomposition)
+                           .max_deviation);
     const auto health = solid_health(s, setup);
     worst = std::min(worst, health.min_eigenvalue);
     det = std::max(det, health.max_det_error);

@@ -21,7 +21,7 @@ constexpr std::array<SeriesKind, 12> kBoxSeriesKinds = {{
     {"y_max", Combine::kMean, "h", "largest y of the isoline phi = 1/2"},
     {"interface_width_cells", Combine::kMean, "cells", "10-90 % width of the solid fraction"},
     {"min_eigenvalue", Combine::kMinimum, "1", "smallest eigenvalue of B in the block"},
-    {"max_det_error", Combine::kMaximum, "1", "largest |det B - 1| in the solid in the block"},
+    {"max_det_error", Combine::kMaximum, "1", kDetErrorMeaning},
 }};
 
 }  // namespace
