@@ -19,9 +19,10 @@ std::array<double, kInterfaceMoments.size()> products(const InterfaceColumn& c) 
 
 double layer_thickness(const grid::Grid& g) { return g.y_face[g.ny] - g.y_face[g.ny_fluid]; }
 
+/// The first bin where the height is no number, as in a flow that has just diverged.
 std::size_t bin_of(double height, double thickness) {
   const double place = (height / thickness + 1) / 2 * kHeightBins;
-  return static_cast<std::size_t>(std::clamp(place, 0.0, kHeightBins - 1.0));
+  return place > 0 ? static_cast<std::size_t>(std::min(place, kHeightBins - 1.0)) : 0;
 }
 
 }  // namespace
