@@ -92,6 +92,7 @@ void Simulation::resume(const output::FoundCheckpoint& found) {
     statistics_.unpack(record_.statistics);
     spectra_.unpack(record_.spectra);
   });
+  record_.statistics.clear();
   record_.spectra.clear();
   time::start(state_, setup_);
   checkpoint_step_ = state_.step;
