@@ -33,7 +33,8 @@ Extrapolation::Extrapolation(const Grid& grid)
       surface_(static_cast<std::size_t>(grid.nx)),
       slope_(static_cast<std::size_t>(grid.nx)) {}
 
-/// Returns the first row that is at least `height` above row j, or the upper wall where no row is.
+/// Returns the first row that is at least `height` above row j. Near the upper wall it is one beyond it,
+/// where the displacement is mirrored.
 int Extrapolation::row_above(const grid::RowArray& y, int j, double height) const {
   constexpr double kRoundOff = 1e-6;
   const double enough = height * (1 - kRoundOff);
@@ -47,7 +48,6 @@ int Extrapolation::row_above(const grid::RowArray& y, int j, double height) cons
 Extrapolation::Parabola Extrapolation::parabola_at(const grid::RowArray& y, int j) const {
   const int nearer = row_above(y, j, span_), farther = row_above(y, nearer, span_);
   const double a = y[nearer] - y[j], b = y[farther] - y[j];
-  if (farther == nearer) return {nearer, nearer, Real(1 / a), 0};
   return {nearer, farther, Real(b / (a * (b - a))), Real(-a / (b * (b - a)))};
 }
 
