@@ -12,7 +12,7 @@
 
 // The file is built in memory and written in one go, sealed by length and checksum (file_seal.hpp): HDF5
 // never touches the disk, so a kill cannot leave half a file and a damaged file cannot crash HDF5. The price
-// is that the whole file is rewritten each time; at 540 points, 13 profiles and 500 blocks that is 28 MB.
+// is that the whole file is rewritten each time; at 540 points, 18 profiles and 500 blocks that is 39 MB.
 //
 // Layout after the seal: attributes of / (case_id, reynolds, elastic, interface_y);
 // /grid/{y_center,y_face}, /blocks/{start,end,weight}, /profiles/NAME [block][y], /series/NAME [block];
