@@ -175,7 +175,7 @@ void Simulation::checkpoint() {
   if (checkpoint_step_ == state_.step) return;
   const parallel::Profile::Scope scope(&setup_.profile, Phase::kOutput);
   const auto begin = output::Clock::now();
-  output::RunRecord now = record_;
+  output::CheckpointContents now = record_;
   now.statistics = statistics_.pack();
   now.spectra = spectra_.pack();
   now.limited_cells += limited_cells() - limited_before_;

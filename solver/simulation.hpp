@@ -87,7 +87,7 @@ class Simulation {
   output::Checkpoints checkpoints_;
   output::Collection snapshots_;
   output::Film film_;
-  output::RunRecord record_;
+  output::CheckpointContents record_;
   double limited_before_ = 0;  ///< cells this program's limiter had touched when the record was read
   double divergence_ = 0;      ///< largest seen in this attempt, times dx / U_b
   time::TimeStep last_step_{0, "fixed"};

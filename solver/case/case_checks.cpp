@@ -79,7 +79,7 @@ void check_layer_cells(const SoundMembers& members, std::vector<Mistake>& mistak
 
 /// What only a closed box has.
 void check_no_box(const SoundMembers& members, const json& filled, std::vector<Mistake>& mistakes) {
-  if (const auto height = members.get<double>("/physics/domain/height"); height && *height != 2.0)
+  if (const auto height = members.get<double>("/physics/domain/height"); height && *height != kFluidHeight)
     mistakes.push_back({"/physics/domain/height", quoted(json(*height)), "must be 2 in a channel"});
   if (members.get<std::string>("/physics/time_step/viscosity") == "implicit")
     mistakes.push_back({"/physics/time_step/viscosity", "implicit", "must be \"explicit\" in a channel"});

@@ -6,18 +6,17 @@
 namespace softwall {
 namespace {
 
-constexpr double kInterface = 2.0;
 constexpr int kLeastLayerCells = 4, kMostLayerCells = 100000;
 
 double fluid_face(const GridSpec& grid, int j) {
   if (j == 0) return 0.0;
-  if (j == grid.ny_fluid) return kInterface;
+  if (j == grid.ny_fluid) return kFluidHeight;
   const double s = grid.stretching;
-  if (s == 0.0) return kInterface * j / grid.ny_fluid;
+  if (s == 0.0) return kFluidHeight * j / grid.ny_fluid;
   return 1.0 + std::tanh(s * (2.0 * j / grid.ny_fluid - 1.0)) / std::tanh(s);
 }
 
-double last_fluid_spacing(const GridSpec& grid) { return kInterface - fluid_face(grid, grid.ny_fluid - 1); }
+double last_fluid_spacing(const GridSpec& grid) { return kFluidHeight - fluid_face(grid, grid.ny_fluid - 1); }
 
 /// r + r^2 + ... + r^cells
 double geometric_sum(double r, int cells) {
@@ -32,7 +31,7 @@ std::string number(double value) {
 }
 
 std::string uniform_problem(const GridSpec& grid, double layer_height) {
-  const double fluid = kInterface / grid.ny_fluid, layer = layer_height / grid.ny_solid;
+  const double fluid = kFluidHeight / grid.ny_fluid, layer = layer_height / grid.ny_solid;
   if (std::abs(fluid - layer) <= 1e-9 * fluid) return "";
   const double cells = layer_height / fluid;
   std::string advice = "; no ny_solid fits this ny_fluid: layer_height * ny_fluid / 2 must be a whole number";
@@ -99,9 +98,9 @@ std::vector<double> wall_normal_faces(const GridSpec& grid, double layer_height)
   const double growth = uniform ? 1.0 : layer_growth(spacing, layer_height, grid.ny_solid);
   for (int k = 1; k < grid.ny_solid; ++k) {
     spacing *= growth;
-    faces.push_back(uniform ? kInterface + layer_height * k / grid.ny_solid : faces.back() + spacing);
+    faces.push_back(uniform ? kFluidHeight + layer_height * k / grid.ny_solid : faces.back() + spacing);
   }
-  faces.push_back(kInterface + layer_height);
+  faces.push_back(kFluidHeight + layer_height);
   return faces;
 }
 

@@ -12,6 +12,9 @@
 /// growth r such that they sum to h_e. So the spacing is smooth across the interface when r is near 1.
 namespace softwall {
 
+/// Of the fluid of a channel, h; the interface at rest lies there.
+inline constexpr double kFluidHeight = 2;
+
 /// Growths outside this range would spoil the accuracy of the differences at the interface.
 inline constexpr double kLeastGrowth = 0.8, kMostGrowth = 1.25;
 

@@ -7,7 +7,7 @@
 namespace softwall::output {
 
 /// What a checkpoint holds beside the state of the flow.
-struct RunRecord {
+struct CheckpointContents {
   std::vector<double> statistics;  ///< Statistics::pack()
   /// Spectra::pack(): complete on rank 0 when written, on all ranks when read. Checkpoints of earlier
   /// versions have none.

@@ -118,9 +118,9 @@ std::vector<double> CheckpointFile::columns(const std::string& field, const Colu
   return values;
 }
 
-RunRecord load_checkpoint(const std::filesystem::path& path, const CheckpointHeader& header,
-                          const time::Setup& setup, time::State& state) {
-  RunRecord record;
+CheckpointContents load_checkpoint(const std::filesystem::path& path, const CheckpointHeader& header,
+                                   const time::Setup& setup, time::State& state) {
+  CheckpointContents record;
   agree(setup.decomposition.all(), ExitCode::kCheckpointRefused, [&] {
     try {
       const CheckpointFile file(path);

@@ -47,7 +47,8 @@ class CheckpointFile {
 
 /// Fills the state and returns the record. Collective: throws AgreedError (77), with both values where two do
 /// not agree, unless the file is of exactly this grid, step and time. Ghost cells are left to time::start().
-[[nodiscard]] RunRecord load_checkpoint(const std::filesystem::path& file, const CheckpointHeader& header,
-                                        const time::Setup& setup, time::State& state);
+[[nodiscard]] CheckpointContents load_checkpoint(const std::filesystem::path& file,
+                                                 const CheckpointHeader& header, const time::Setup& setup,
+                                                 time::State& state);
 
 }  // namespace softwall::output

@@ -16,7 +16,7 @@ namespace softwall::output {
 
 namespace {
 
-void write_contents(const std::filesystem::path& file, time::State& state, const RunRecord& record,
+void write_contents(const std::filesystem::path& file, time::State& state, const CheckpointContents& record,
                     const time::Setup& setup) {
   ParallelFile out(file, setup.decomposition.all(), kCheckpointHeaderBytes);
   out.write_number({"time", "simulated time, h / U_b"}, state.time);
@@ -94,7 +94,7 @@ std::int64_t checkpoint_bytes(time::State& state, const grid::Grid& g) {
 }
 
 std::filesystem::path write_checkpoint(const RunFiles& run, const Author& author, time::State& state,
-                                       const RunRecord& record, const time::Setup& setup) {
+                                       const CheckpointContents& record, const time::Setup& setup) {
   const auto& all = setup.decomposition.all();
   if (!time::is_finite(state, setup.decomposition)) {
     throw AgreedError(ExitCode::kDiverged, "the state at step " + std::to_string(state.step) +

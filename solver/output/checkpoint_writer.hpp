@@ -21,7 +21,7 @@ struct Author {
 /// none. Collective. A state that is not finite throws AgreedError (76) and nothing is written; an I/O error
 /// ends the program with exit code 75 and leaves every published checkpoint as it was.
 std::filesystem::path write_checkpoint(const RunFiles& run, const Author& author, time::State& state,
-                                       const RunRecord& record, const time::Setup& setup);
+                                       const CheckpointContents& record, const time::Setup& setup);
 
 /// Size of a checkpoint without its statistics, bytes.
 [[nodiscard]] std::int64_t checkpoint_bytes(time::State& state, const grid::Grid& grid);

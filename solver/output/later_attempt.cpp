@@ -8,7 +8,7 @@ namespace {
 
 /// "attempt 3 has taken the place of this one, 2"; empty: none has.
 std::string replacement(const RunFiles& run, const std::string& case_id, int attempt) {
-  const auto record = read_report<softwall::RunRecord>(run.run_record(), case_id);
+  const auto record = read_report<RunRecord>(run.run_record(), case_id);
   if (!record || record->attempt <= attempt) return "";
   return "attempt " + std::to_string(record->attempt) + " has taken the place of this one, " +
          std::to_string(attempt);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/case/wall_normal_grid.hpp"
 #include "solver/output/agree.hpp"
 #include "solver/output/checkpoint_reader.hpp"
 #include "solver/output/initial_checkpoint.hpp"
@@ -11,8 +12,6 @@
 namespace softwall::output {
 
 namespace {
-
-constexpr double kFluidHeight = 2.0;
 
 /// Where a field lives: offset from the low face in x and z as a fraction of a cell, faces or centers in y.
 struct Location {

@@ -11,6 +11,9 @@ using grid::Grid;
 using grid::Real;
 using grid::View;
 
+/// Less phi than this is dust: it stays where it is, without effect.
+inline constexpr double kDust = 0.02;
+
 /// The solid: fraction phi (0 fluid, 1 solid) at centers and the left Cauchy-Green tensor B, normal
 /// components at centers, shear components on the edges where the shear of the staggered velocity lives. (A
 /// centred B_xy cannot feel the two-cell mode of u(y); on the edges it can.)

@@ -13,9 +13,6 @@ namespace {
 /// Not yet crossed; no row is this low.
 constexpr double kPending = -1e9;
 
-/// A row with less of phi ends the solid that hangs from the upper wall.
-constexpr double kDust = 0.02;
-
 /// One step down, from row j to j - 1, for the columns of one line in x. Returns how many still wait.
 int step_down(const grid::Real* above, const grid::Real* below, double level, int j, int nx,
               double* crossing) {
@@ -66,7 +63,7 @@ std::vector<double> heights_of_solid(const grid::Field& field, const grid::Grid&
 #pragma omp simd reduction(+ : left)
       for (int i = 0; i < g.nx; ++i) {
         height[i] -= share[i] * phi(i, j, k) * dy;
-        share[i] = phi(i, j, k) < kDust ? 0 : share[i];
+        share[i] = phi(i, j, k) < solid::kDust ? 0 : share[i];
         left += share[i];
       }
     }

@@ -1,4 +1,5 @@
 #include "solver/time/initial.hpp"
+#include "solver/case/wall_normal_grid.hpp"
 #include "solver/time/advance.hpp"
 
 #include <cmath>
@@ -28,11 +29,11 @@ double noise(std::uint64_t seed, std::uint64_t component, std::int64_t cell) {
 constexpr double kPi = std::numbers::pi;
 
 /// u of plane Poiseuille flow with bulk velocity 1 in 0 < y < 2; zero in a layer above.
-double parabola(double y) { return y < 2 ? 1.5 * y * (2 - y) : 0.0; }
+double parabola(double y) { return y < kFluidHeight ? 1.5 * y * (kFluidHeight - y) : 0.0; }
 
 /// Vanishes with its derivative at both walls of the fluid, 1 in the middle.
-double envelope(double y) { return y < 2 ? std::pow(std::sin(kPi * y / 2), 2) : 0.0; }
-double envelope_slope(double y) { return y < 2 ? kPi / 2 * std::sin(kPi * y) : 0.0; }
+double envelope(double y) { return y < kFluidHeight ? std::pow(std::sin(kPi * y / 2), 2) : 0.0; }
+double envelope_slope(double y) { return y < kFluidHeight ? kPi / 2 * std::sin(kPi * y) : 0.0; }
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/case/interface_mode.hpp"
+#include "solver/case/wall_normal_grid.hpp"
 #include "solver/grid/cell_loop.hpp"
 #include "solver/time/initial.hpp"
 #include "solver/time/laminar_mean.hpp"
@@ -27,7 +28,7 @@ class Wave {
  public:
   explicit Wave(const Physics& p)
       : mode_(layers_of(p), {-p.wave->decay, p.wave->frequency}),
-        scale_(p.wave->displacement * mode_.rate() / mode_.v(kInterface)),
+        scale_(p.wave->displacement * mode_.rate() / mode_.v(kFluidHeight)),
         moves_(p.wave->mean_flow != MeanFlow::kNone),
         k_(2 * std::numbers::pi / p.length_x) {}
 
@@ -46,20 +47,18 @@ class Wave {
   /// xi of the solid, which goes on below the interface in a straight line.
   [[nodiscard]] Complex xi_of_solid(double y, int order) const {
     const double at = in_solid(y);
-    return xi(at, order) + std::min(y - kInterface, 0.0) * xi(at, order + 1);
+    return xi(at, order) + std::min(y - kFluidHeight, 0.0) * xi(at, order + 1);
   }
 
   /// The nearest height that belongs to the solid.
   [[nodiscard]] static double in_solid(double y) {
     constexpr double kJustAbove = 1e-12;  // of two values that meet at the interface, the solid's
-    return std::max(y, kInterface + kJustAbove);
+    return std::max(y, kFluidHeight + kJustAbove);
   }
 
-  static constexpr double kInterface = 2;
-
  private:
-  static double U(double y) { return y < kInterface ? 1.5 * y * (kInterface - y) : 0; }
-  static double U_slope(double y) { return y < kInterface ? 3 * (1 - y) : 0; }
+  static double U(double y) { return y < kFluidHeight ? 1.5 * y * (kFluidHeight - y) : 0; }
+  static double U_slope(double y) { return y < kFluidHeight ? 3 * (1 - y) : 0; }
 
   static WaveLayers layers_of(const Physics& p) {
     return wave_layers(p.reynolds, p.length_x, p.layer_height, p.solid->G, p.solid->viscosity_ratio);
@@ -146,8 +145,8 @@ void set_solid(const Wave& wave, const MeanShear& shear, const Columns& at, cons
   fill(m.B.xx, g, {g.ny_fluid, g.ny}, [&](int j) { return stretch(j, 1 + gamma_at(j) * gamma_at(j), -1); });
   fill(m.B.yy, g, {g.ny_fluid, g.ny}, [&](int j) { return stretch(j, 1, 1); });
   fill(m.phi, g, {0, g.ny}, [&](int j) {
-    return [&, j, crest = wave.xi_of_solid(Wave::kInterface, 0)](std::size_t i) {
-      const double surface = Wave::kInterface + at.center.upright(crest, i);
+    return [&, j, crest = wave.xi_of_solid(kFluidHeight, 0)](std::size_t i) {
+      const double surface = kFluidHeight + at.center.upright(crest, i);
       return std::clamp((g.y_face[j + 1] - surface) / g.dy[j], 0.0, 1.0);
     };
   });

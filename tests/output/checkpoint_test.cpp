@@ -56,7 +56,7 @@ void expect_round_trip(const Physics& physics, const parallel::Communicator& rea
                        const FoundCheckpoint& found) {
   time::Setup setup(physics, readers.get());
   time::State state = time::state_at_rest(setup);
-  const RunRecord record = load_checkpoint(found.file, found.header, setup, state);
+  const CheckpointContents record = load_checkpoint(found.file, found.header, setup, state);
   time::State expected = support::numbered_state(setup, 12);
   EXPECT_EQ(support::all_fields(state, setup), support::all_fields(expected, setup));
   EXPECT_EQ(state.step, expected.step);

@@ -26,7 +26,7 @@ inline time::State numbered_state(const time::Setup& setup, std::int64_t step) {
   return state;
 }
 
-inline output::RunRecord sample_record() {
+inline output::CheckpointContents sample_record() {
   return {.statistics = {1.0, 0.1, -1e-300, 1e300},
           .spectra = {},
           .limited_cells = 17,

@@ -14,9 +14,6 @@ namespace softwall::solid {
 
 namespace {
 
-/// Less phi than this is dust: it stays where it is, without effect.
-constexpr double kDust = 0.02;
-
 /// Under a surface that is a height, B below a threshold nearer to 1 is the row above's in more and more of
 /// the cells that the surface passes through. What short waves had strained there is forgotten each time, and
 /// the surface creeps until single columns stand out of it by the thickness of the layer (G = 0.5, t = 30).
