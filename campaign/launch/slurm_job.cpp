@@ -113,12 +113,12 @@ std::string script_text(const LaunchRequest& request, const SlurmOptions& slurm,
   text += leave_when_begun_again();
   text += "export OMP_NUM_THREADS=1\n";
   text += "export " + std::string(kRunDirectoryVariable) + "=" +
-          shell_word(canonical_run_directory(request.run_directory)) + "\n";
+          script_word(canonical_run_directory(request.run_directory)) + "\n";
   text += "read -r _ _ _ _ _ " + std::string(kSessionVariable) + " _ < /proc/$$/stat; export " +
           kSessionVariable + "\n";
   if (geteuid() == 0) text += "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1\n";
   text += "exec";
-  for (const std::string& word : solver_command(request, slurm, programs)) text += " " + shell_word(word);
+  for (const std::string& word : solver_command(request, slurm, programs)) text += " " + script_word(word);
   return text + "\n";
 }
 

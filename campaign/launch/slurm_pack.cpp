@@ -96,9 +96,9 @@ std::string pack_text(const std::vector<LaunchRequest>& cases) {
                      " cases in one job, as softwall has submitted them. Slurm has a copy of its own.\n";
   // Several mpirun on one node would each bind their ranks to its first cores (Open MPI 4, and 5).
   text += "export OMPI_MCA_hwloc_base_binding_policy=none PRTE_MCA_hwloc_default_binding_policy=none\n";
-  text += leave_when_begun_again() + "job=" + shell_word(pack_name(cases)) + "\n" + kRunOne + "cases=\n";
+  text += leave_when_begun_again() + "job=" + script_word(pack_name(cases)) + "\n" + kRunOne + "cases=\n";
   for (const LaunchRequest& one : cases) {
-    text += "run " + shell_word(canonical_run_directory(one.run_directory)) + " " +
+    text += "run " + script_word(canonical_run_directory(one.run_directory)) + " " +
             std::to_string(one.attempt) + " & cases=\"$cases $!\"\n";
   }
   return text + kWaitForAll;

@@ -36,7 +36,10 @@ std::string escaped(const std::string& text) {
 }  // namespace
 
 std::string shell_word(const std::string& text) {
-  if (std::any_of(text.begin(), text.end(), is_control)) return escaped(text);
+  return std::any_of(text.begin(), text.end(), is_control) ? escaped(text) : script_word(text);
+}
+
+std::string script_word(const std::string& text) {
   const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), is_plain);
   return plain ? text : single_quoted(text);
 }

@@ -9,12 +9,13 @@
 namespace softwall::campaign {
 namespace {
 
-/// What bash makes of a word.
-std::string read_by_bash(const std::string& word) {
+/// What a shell makes of a word.
+std::string read_by(const std::string& shell, const std::string& word) {
   const std::string inner = "printf %s " + word;
   std::string quoted = "'";
   for (const char c : inner) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  const std::unique_ptr<FILE, int (*)(FILE*)> out(popen(("bash -c " + quoted + "'").c_str(), "r"), pclose);
+  const std::unique_ptr<FILE, int (*)(FILE*)> out(popen((shell + " -c " + quoted + "'").c_str(), "r"),
+                                                  pclose);
   std::string text;
   std::array<char, 256> part{};
   while (out && std::fgets(part.data(), part.size(), out.get()) != nullptr) text += part.data();
@@ -24,8 +25,10 @@ std::string read_by_bash(const std::string& word) {
 TEST(ShellWord, IsReadAsTheSameText) {
   for (const std::string text :
        {"/data/runs", "/data/soft walls", "it's", "$(touch x)", "`x`", "a;b", "*", "~", "\"", "", "a\nb",
-        "\033[31mred", "back\\slash", "back\\slash\n'", "-rf", "\xC3\xA4"})
-    EXPECT_EQ(read_by_bash(shell_word(text)), text) << shell_word(text);
+        "\033[31mred", "back\\slash", "back\\slash\n'", "-rf", "\xC3\xA4"}) {
+    EXPECT_EQ(read_by("bash", shell_word(text)), text) << shell_word(text);
+    EXPECT_EQ(read_by("sh", script_word(text)), text) << "by the shell that runs scripts";
+  }
 }
 
 TEST(ShellWord, OfAPlainTextIsTheText) {
