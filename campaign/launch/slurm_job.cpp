@@ -68,14 +68,18 @@ std::vector<std::string> solver_command(const LaunchRequest& request, const Slur
 }  // namespace
 
 Handle handle_of(const JobRecord& job) {
-  return json{{"slurm", job.name}, {"attempt", job.attempt}, {"job", job.number}}.dump();
+  const json object = {
+      {"slurm", job.name}, {"attempt", job.attempt}, {"job", job.number}, {"directory", job.directory}};
+  // A directory may have any name; one that is no UTF-8 is not found again.
+  return object.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 std::optional<JobRecord> job_of(const Handle& handle) {
   const json object = json::parse(handle, nullptr, false);
   if (!object.is_object() || !object.contains("slurm")) return std::nullopt;
   try {
-    return JobRecord{object.at("slurm"), object.at("attempt"), object.at("job")};
+    return JobRecord{object.at("slurm"), object.at("attempt"), object.at("job"),
+                     object.value("directory", std::string())};
   } catch (const json::exception&) {
     return std::nullopt;
   }

@@ -16,7 +16,8 @@ namespace softwall::campaign {
 struct JobRecord {
   std::string name;
   int attempt = 0;
-  std::string number;  ///< of the job; empty: not known
+  std::string number;     ///< of the job; empty: not known
+  std::string directory;  ///< the run directory that it was submitted for; empty: not known
 };
 [[nodiscard]] Handle handle_of(const JobRecord& job);
 /// Empty for a handle that some other launcher has made.

@@ -34,6 +34,14 @@ bool is_missing(const std::filesystem::path& file) {
   return std::filesystem::status(file, unreadable).type() == std::filesystem::file_type::not_found;
 }
 
+/// Before it has a number.
+JobRecord record_of(const LaunchRequest& request) {
+  return {.name = job_name(request),
+          .attempt = request.attempt,
+          .number = "",
+          .directory = canonical_run_directory(request.run_directory)};
+}
+
 }  // namespace
 
 SlurmLauncher::SlurmLauncher(SlurmOptions options, SlurmPace pace)
@@ -61,18 +69,18 @@ void SlurmLauncher::prepare(const std::filesystem::path& solver, int ranks) {
 }
 
 Handle SlurmLauncher::intended(const LaunchRequest& request) const {
-  return handle_of({job_name(request), request.attempt, ""});
+  return handle_of(record_of(request));
 }
 
 Handle SlurmLauncher::start(const LaunchRequest& request) {
   keep_small(RunFiles{request.run_directory}.log());
   remove_pack_files(request.run_directory);
   rest_.forget(request.run_directory);
-  const std::string name = job_name(request);
+  const JobRecord record = record_of(request);
   write_atomically(job_script(request.run_directory),
                    script_text(request, options_, programs_, job_line("")));
   const auto at = jobs_.insert_or_assign(
-      name, Job{request, {name, request.attempt, ""}, "", Stage::kWaiting, monotonic_seconds()});
+      record.name, Job{.request = request, .record = record, .name = "", .since = monotonic_seconds()});
   try {
     submit_waiting(false);
   } catch (...) {
@@ -86,9 +94,19 @@ Handle SlurmLauncher::start(const LaunchRequest& request) {
 bool SlurmLauncher::adopt(const LaunchRequest& request, const Handle& handle) {
   const auto record = job_of(handle);
   if (!record) return false;
+  const JobPlace place = place_of(*record, request.run_directory);
   const auto name = job_in(request.run_directory, record->name);
-  jobs_[record->name] = {request, *record, name.value_or(record->name), Stage::kAccepted,
-                         monotonic_seconds()};
+  const bool was_submitted = !name || !name->empty();
+  if (place == JobPlace::kElsewhere || !was_submitted) return false;
+  jobs_[record->name] = {.request = request,
+                         .record = *record,
+                         .name = name.value_or(""),
+                         .stage = Stage::kAccepted,
+                         .place = place,
+                         .since = monotonic_seconds()};
+  if (place == JobPlace::kUnclear)
+    news_.push_back(request.run_directory.filename().string() + ": its folder was moved after the job " +
+                    record->name + " had been submitted; waiting until Slurm no longer has it");
   return true;
 }
 
@@ -175,8 +193,8 @@ void SlurmLauncher::submit(const Group& group) {
   for (Job* job : group) {
     job->name = name;
     job->record.number = number.value_or("");
-    job->stage = number ? Stage::kAccepted : Stage::kDoubtful;
-    job->doubt_until = now + (is_doubtful(answer) ? pace_.doubt : 0.0);
+    job->stage = number ? Stage::kAccepted : is_doubtful(answer) ? Stage::kDoubtful : Stage::kWaiting;
+    job->doubt_until = now + pace_.doubt;
   }
   if (number) {
     submit_pause_ = 0.0;
@@ -245,9 +263,11 @@ std::vector<EndedAttempt> SlurmLauncher::collect() {
     keep_small_while_written(RunFiles{job.request.run_directory}.log());
     if (job.stage == Stage::kDoubtful) resolve_doubt(job);
     if (job.stage != Stage::kAccepted) continue;
+    if (job.name.empty())  // its script could not be read when it was adopted
+      job.name = job_in(job.request.run_directory, job.record.name).value_or("");
     if (looked_at.insert(job.name).second) {
       const auto& jobs = queue_.called(job.name);
-      cancel_extra(jobs);
+      if (job.place == JobPlace::kHere) cancel_extra(jobs);
       tell_why_it_waits(job.request.run_directory.filename(), jobs);
     }
     if (is_over(job)) over.push_back(job);
@@ -265,7 +285,7 @@ std::vector<EndedAttempt> SlurmLauncher::collect() {
 /// A job that is in the queue although its attempt has reached the end is one that Slurm has brought back, or
 /// the second of a name. One of several cases passes over those that have ended.
 bool SlurmLauncher::is_over(const Job& job) {
-  const Presence presence = presence_of(job.request.run_directory, job.record);
+  const Presence presence = presence_of(job);
   if (presence != Presence::kQueued) return presence == Presence::kGone;
   if (job.name != job.record.name) return false;
   const auto summary =
@@ -300,20 +320,19 @@ std::vector<EndedAttempt> SlurmLauncher::ends_of(const std::vector<Job>& over) c
 }
 
 /// What Slurm says about a job, completed by what its run directory says where Slurm does not vouch for its
-/// end.
-Presence SlurmLauncher::presence_of(const std::filesystem::path& run_directory,
-                                    const JobRecord& record) const {
-  const auto name = job_in(run_directory, record.name);
-  if (!name) return is_missing(job_script(run_directory)) ? Presence::kGone : Presence::kUnknown;
-  if (const auto own = jobs_.find(record.name); own != jobs_.end() && own->second.stage != Stage::kAccepted)
-    return own->second.stage == Stage::kWaiting ? Presence::kQueued : Presence::kUnknown;
-  if (name->empty()) return Presence::kGone;  // never submitted
-  if (packed_exit_code(run_directory, record.attempt))
+/// end. A job of which it is not clear that it works here may not be taken for one that hangs.
+Presence SlurmLauncher::presence_of(const Job& job) const {
+  if (job.stage == Stage::kWaiting) return Presence::kQueued;
+  if (job.stage == Stage::kDoubtful || job.name.empty()) return Presence::kUnknown;
+  const auto& run_directory = job.request.run_directory;
+  const bool is_packed = job.name != job.record.name;
+  if (is_packed && packed_exit_code(run_directory, job.record.attempt))
     return lock_is_held(RunFiles{run_directory}.lock()) ? Presence::kRunning : Presence::kGone;
-  const auto& jobs = queue_.called(*name);
+  const auto& jobs = queue_.called(job.name);
   const QueuedJob* const found = queue_.answers() ? most_alive(jobs) : nullptr;
-  if (found && presence_in(found->state) != Presence::kGone) return presence_in(found->state);
-  const RestWatch::Verdict rest = rest_.look(run_directory, record.attempt);
+  if (found && presence_in(found->state) != Presence::kGone)
+    return job.place == JobPlace::kHere ? presence_in(found->state) : Presence::kUnknown;
+  const RestWatch::Verdict rest = rest_.look(run_directory, job.record.attempt);
   if (rest == RestWatch::Verdict::kAtWork) return Presence::kRunning;
   const bool vouched_for = found && leaves_no_process(found->state);
   if (!vouched_for && !ProcessesAtWork::look().in(run_directory).empty()) return Presence::kRunning;
@@ -321,12 +340,31 @@ Presence SlurmLauncher::presence_of(const std::filesystem::path& run_directory,
   return is_over && queue_.answers() ? Presence::kGone : Presence::kUnknown;
 }
 
+/// Of an attempt that was neither started nor adopted here.
+Presence SlurmLauncher::presence_of_another(const std::filesystem::path& run_directory,
+                                            const JobRecord& record) const {
+  const JobPlace place = place_of(record, run_directory);
+  if (place == JobPlace::kElsewhere) return Presence::kGone;
+  const auto name = job_in(run_directory, record.name);
+  if (!name) return is_missing(job_script(run_directory)) ? Presence::kGone : Presence::kUnknown;
+  if (name->empty()) return Presence::kGone;  // never submitted
+  const LaunchRequest request{.case_id = "", .run_directory = run_directory, .attempt = record.attempt};
+  return presence_of(
+      {.request = request, .record = record, .name = *name, .stage = Stage::kAccepted, .place = place});
+}
+
 std::vector<Presence> SlurmLauncher::presences(const std::vector<AttemptPlace>& places) const {
   std::vector<Presence> found;
   for (const AttemptPlace& place : places) {
     const auto job = job_of(place.handle);
-    if (job) queue_.refresh();  // asks once; the answer holds for all of them
-    found.push_back(job ? presence_of(place.run_directory, *job) : Presence::kGone);
+    if (!job) {
+      found.push_back(Presence::kGone);
+      continue;
+    }
+    queue_.refresh();  // asks once; the answer holds for all of them
+    const auto own = jobs_.find(job->name);
+    found.push_back(own != jobs_.end() ? presence_of(own->second)
+                                       : presence_of_another(place.run_directory, *job));
   }
   return found;
 }
@@ -335,7 +373,7 @@ std::vector<Presence> SlurmLauncher::presences(const std::vector<AttemptPlace>& 
 /// because their node's daemon died, are ended by us where they are on this machine.
 void SlurmLauncher::stop(const std::filesystem::path& run_directory, const Handle& handle, StopLevel level) {
   const auto job = job_of(handle);
-  if (!job) return;
+  if (!job || place_of(*job, run_directory) != JobPlace::kHere) return;
   const std::string name = job_in(run_directory, job->name).value_or(job->name);
   if (name != job->name) {
     ask_packed(run_directory, level);

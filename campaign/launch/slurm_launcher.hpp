@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/launch/job_place.hpp"
 #include "campaign/launch/launcher.hpp"
 #include "campaign/launch/rest_watch.hpp"
 #include "campaign/launch/slurm_job.hpp"
@@ -20,6 +21,9 @@ namespace softwall::campaign {
 /// What Slurm does not say is unknown, asked again later, and never taken for an end. "Not in the queue" does
 /// not mean that nobody works either: the solver's own lock and files in the run directory count besides
 /// (rest_watch.hpp). A job that Slurm does not take is no failure of its case; it is submitted again later.
+///
+/// Only a job that works in the run directory is ever asked to end (job_place.hpp): one of a folder of which
+/// this is a copy is not adopted, and one of a folder that was moved is waited for.
 class SlurmLauncher final : public Launcher {
  public:
   explicit SlurmLauncher(SlurmOptions options, SlurmPace pace = {});
@@ -47,8 +51,9 @@ class SlurmLauncher final : public Launcher {
   struct Job {
     LaunchRequest request;
     JobRecord record;
-    std::string name;  ///< of the job of Slurm that carries it; empty: none so far
+    std::string name;  ///< of the job of Slurm that carries it; empty: none so far, or not known
     Stage stage = Stage::kWaiting;
+    JobPlace place = JobPlace::kHere;
     double since = 0.0;        ///< monotonic; it was given to us
     double doubt_until = 0.0;  ///< monotonic; before that its absence from the queue proves nothing
   };
@@ -66,8 +71,9 @@ class SlurmLauncher final : public Launcher {
   void cancel_extra(const std::vector<QueuedJob>& jobs);
   void tell_why_it_waits(const std::string& directory, const std::vector<QueuedJob>& jobs);
   void tell(const std::string& about, const std::string& what);
-  [[nodiscard]] Presence presence_of(const std::filesystem::path& run_directory,
-                                     const JobRecord& record) const;
+  [[nodiscard]] Presence presence_of(const Job& job) const;
+  [[nodiscard]] Presence presence_of_another(const std::filesystem::path& run_directory,
+                                             const JobRecord& record) const;
   [[nodiscard]] bool is_over(const Job& job);
   [[nodiscard]] std::vector<EndedAttempt> ends_of(const std::vector<Job>& over) const;
 

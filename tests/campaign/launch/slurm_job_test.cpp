@@ -48,8 +48,12 @@ TEST(SlurmJob, NameHasNoCharacterThatSlurmOrAShellTakesForMore) {
 }
 
 TEST(SlurmJob, HandleComesBackAndThoseOfOthersAreNotTakenForOurs) {
-  const auto job = job_of(handle_of({"softwall.x", 2, "17"}));
+  const auto job = job_of(handle_of({"softwall.x", 2, "17", "/data/x"}));
   ASSERT_TRUE(job);
+  EXPECT_EQ(job->directory, "/data/x");
+  EXPECT_EQ(job_of(R"({"slurm":"softwall.x","attempt":2,"job":"17"})")->directory, "")
+      << "of an earlier version";
+  EXPECT_TRUE(job_of(handle_of({"softwall.x", 2, "17", "/data/\xff"}))) << "a name that is no UTF-8";
   EXPECT_EQ(job->name, "softwall.x");
   EXPECT_EQ(job->attempt, 2);
   EXPECT_EQ(job->number, "17");
