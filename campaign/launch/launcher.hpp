@@ -16,7 +16,7 @@ struct LaunchRequest {
   std::filesystem::path run_directory;
   int attempt = 1;
   int ranks = 1;
-  std::optional<double> wall_seconds;  ///< the solver checkpoints and ends in time for this
+  std::optional<double> wall_seconds = std::nullopt;  ///< the solver checkpoints and ends in time for this
   /// What the case still takes to its end, at the speed that was measured of it; empty: not known.
   std::optional<double> needed_seconds = std::nullopt;
 };

@@ -68,9 +68,7 @@ void SlurmLauncher::prepare(const std::filesystem::path& solver, int ranks) {
   if (answer.exit_code != 0 && !may_pass(answer)) refuse(trouble_in(answer, "sbatch"));
 }
 
-Handle SlurmLauncher::intended(const LaunchRequest& request) const {
-  return handle_of(record_of(request));
-}
+Handle SlurmLauncher::intended(const LaunchRequest& request) const { return handle_of(record_of(request)); }
 
 Handle SlurmLauncher::start(const LaunchRequest& request) {
   keep_small(RunFiles{request.run_directory}.log());

@@ -363,7 +363,8 @@ TEST_F(SlurmFolderTest, TheJobOfAFolderThatWasMovedIsWaitedForAndNotEnded) {
   EXPECT_EQ(next_.news().size(), 1U);
   slurm_.set_queue({slurm_.queue().front(), "9|PENDING|0|Dependency|" + job_name(request()) + "|"});
   EXPECT_FALSE(collect_once(next_));
-  EXPECT_EQ(next_.presence(there_.directory, handle_), Presence::kUnknown) << "nor is it taken for one that hangs";
+  EXPECT_EQ(next_.presence(there_.directory, handle_), Presence::kUnknown)
+      << "nor is it taken for one that hangs";
   next_.stop(there_.directory, handle_, StopLevel::kKill);
   EXPECT_TRUE(slurm_.calls("scancel").empty());
   slurm_.move_all("FAILED", 1 << 8);
