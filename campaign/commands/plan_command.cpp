@@ -17,7 +17,6 @@
 #include "campaign/core/plan.hpp"
 #include "campaign/core/words.hpp"
 #include "campaign/launch/make_launcher.hpp"
-#include "campaign/launch/slurm_job.hpp"
 #include "campaign/runner/wording.hpp"
 #include "campaign/store/result_table.hpp"
 #include "campaign/store/text_width.hpp"
@@ -40,12 +39,12 @@ struct PlannedCampaign {
   std::vector<LeftBehind> left_behind;
 };
 
-std::optional<int> job_minutes(const Campaign& campaign, const Observation& seen, Outlook outlook) {
+std::optional<int> job_minutes(const Launcher& launcher, const Observation& seen, Outlook outlook) {
   const bool is_next =
       outlook == Outlook::kStart || outlook == Outlook::kResume || outlook == Outlook::kWaiting;
   LaunchRequest request;
   request.needed_seconds = measured_seconds_left(seen);
-  return is_next ? time_limit(request, campaign.execution.slurm) : std::nullopt;
+  return is_next ? launcher.job_minutes(request) : std::nullopt;
 }
 
 PlannedCampaign plan_all(const LoadedCampaign& loaded) {
@@ -66,7 +65,7 @@ PlannedCampaign plan_all(const LoadedCampaign& loaded) {
   for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
     const std::string& why = planned.ready.blocked[i];
     if (!why.empty()) planned.cases[i].decision = {campaign.cases[i].definition.id, Outlook::kBlocked, why};
-    planned.cases[i].job_minutes = job_minutes(campaign, observations[i], planned.cases[i].decision.outlook);
+    planned.cases[i].job_minutes = job_minutes(*launcher, observations[i], planned.cases[i].decision.outlook);
   }
   planned.wall_seconds = remaining_seconds(campaign, observations, {}, campaign.execution.cores);
   planned.left_behind = left_behind(loaded);

@@ -87,6 +87,8 @@ class Launcher {
   /// Removes what the launcher itself left for a run directory where nobody works any more.
   virtual void clean_up(const std::filesystem::path& run_directory) = 0;
 
+  /// Minutes of a scheduler's time that an attempt would ask for; empty where nobody asks for any.
+  [[nodiscard]] virtual std::optional<int> job_minutes(const LaunchRequest&) const { return std::nullopt; }
   /// Cores that attempts can use at once; empty when a scheduler decides.
   [[nodiscard]] virtual std::optional<int> capacity() const = 0;
 };

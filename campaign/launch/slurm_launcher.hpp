@@ -40,6 +40,9 @@ class SlurmLauncher final : public Launcher {
   [[nodiscard]] std::vector<Presence> presences(const std::vector<AttemptPlace>& places) const override;
   void stop(const std::filesystem::path& run_directory, const Handle& handle, StopLevel level) override;
   void clean_up(const std::filesystem::path& run_directory) override;
+  [[nodiscard]] std::optional<int> job_minutes(const LaunchRequest& request) const override {
+    return time_limit(request, options_);
+  }
   [[nodiscard]] std::optional<int> capacity() const override { return std::nullopt; }
 
  private:

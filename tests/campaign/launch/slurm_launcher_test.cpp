@@ -382,6 +382,14 @@ TEST_F(SlurmFolderTest, AnotherPathToTheSameFolderFindsItsJob) {
   EXPECT_EQ(slurm_.calls("scancel").size(), 1U);
 }
 
+TEST_F(SlurmLauncherTest, SaysForHowLongAJobWouldAsk) {
+  options_.time_limit_minutes = 600;
+  LaunchRequest one = request();
+  one.needed_seconds = 3600;
+  EXPECT_EQ(SlurmLauncher(options_).job_minutes(one), time_limit(one, options_));
+  EXPECT_FALSE(launcher_.job_minutes(one)) << "the partition's limit is not known";
+}
+
 TEST_F(SlurmLauncherTest, StopsByName) {
   const Handle handle = launcher_.start(request());
   launcher_.stop(run_.directory, handle, StopLevel::kTerminate);
