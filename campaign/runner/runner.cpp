@@ -20,8 +20,6 @@
 namespace softwall::campaign {
 namespace {
 
-constexpr double kTellSeconds = 300.0;  // between progress lines where there is no terminal
-
 /// "All cores there are" as a number, for the plan too.
 Campaign with_counted_cores(Campaign campaign, const Launcher& launcher) {
   campaign.execution.cores = cores_to_use(campaign.execution.cores, launcher);
@@ -42,7 +40,8 @@ Runner::Runner(Campaign campaign, std::filesystem::path folder, Parts parts, Run
       signals_(parts.signals),
       options_(options),
       book_(with_counted_cores(std::move(campaign), parts.launcher), std::move(folder), parts.store,
-            parts.progress) {
+            parts.progress),
+      progress_line_(parts.progress) {
   if (options_.start_over) book_.allow_starting_over();
   store_.connection().wait_for_locks([this] { return wait_for_store(); });
 }
@@ -69,7 +68,7 @@ RunnerReport Runner::run() {
       read_reports();
       end_what_is_over();
       import_on_the_way();
-      show_progress();
+      progress_line_.show(book_, working_, monotonic_seconds());
       signals_.wait(options_.poll);
     }
   } catch (const SqliteError& error) {
@@ -253,24 +252,6 @@ bool Runner::repair_statistics(const CampaignCase& one, const std::string& troub
                   Progress::Kind::kBad);
   changed_ = true;
   return true;
-}
-
-void Runner::show_progress() {
-  std::map<std::string, Status> reports;
-  for (const auto& [id, watch] : working_) {
-    if (watch.status) reports[id] = *watch.status;
-  }
-  const double now = monotonic_seconds();
-  if (!progress_.on_terminal() && now - told_at_ < kTellSeconds) return;
-  const double left =
-      remaining_seconds(book_.campaign(), book_.observations(), reports, book_.campaign().execution.cores);
-  const std::string line = describe_progress(book_.campaign(), book_.observations(), reports, left);
-  if (progress_.on_terminal()) {
-    progress_.draw(line);
-  } else {
-    if (told_at_ > 0) progress_.event(line);
-    told_at_ = now;
-  }
 }
 
 RunnerReport Runner::report() const {

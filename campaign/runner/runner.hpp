@@ -13,6 +13,7 @@
 #include "campaign/runner/attempt_watch.hpp"
 #include "campaign/runner/case_book.hpp"
 #include "campaign/runner/progress.hpp"
+#include "campaign/runner/progress_line.hpp"
 #include "campaign/runner/runner_report.hpp"
 #include "campaign/store/store.hpp"
 #include "campaign/system/signals.hpp"
@@ -80,7 +81,6 @@ class Runner {
   [[nodiscard]] RunnerReport pause_all(const std::string& reason);
   [[nodiscard]] bool wait_for_store();
   void keep_history(const CampaignCase& one);
-  void show_progress();
   [[nodiscard]] RunnerReport report() const;
   [[nodiscard]] int free_cores() const;
 
@@ -97,7 +97,7 @@ class Runner {
   std::optional<StopLadder> stop_;  ///< set when the user has asked to stop
   std::set<std::string> repaired_;  ///< finished cases whose statistics are made again in this run
   bool changed_ = true;             ///< something has happened since the plan was last made
-  double told_at_ = 0.0;
+  ProgressLine progress_line_;
   double locked_since_ = 0.0;     ///< monotonic seconds when another program's lock was first in the way
   double locked_seen_at_ = -1e9;  ///< and when it was last
 };
