@@ -31,6 +31,15 @@ bool failed_by_itself(AttemptOutcome outcome) {
          outcome != AttemptOutcome::kDiverged;
 }
 
+/// Whether it may be our own request that ended an attempt before it had written a checkpoint: it was killed,
+/// or its mpirun was terminated, which then leaves with 1 as after any failure. A solver that has left its
+/// own word (the time of its end) was not.
+bool may_be_ended_on_request(const AttemptEnd& end) {
+  const bool without_word = end.outcome == AttemptOutcome::kFailed && end.ended.empty() &&
+                            end.exit_code == static_cast<int>(ExitCode::kFailed);
+  return end.outcome == AttemptOutcome::kKilled || without_word;
+}
+
 }  // namespace
 
 Runner::Runner(Campaign campaign, std::filesystem::path folder, Parts parts, RunnerOptions options)
@@ -175,24 +184,35 @@ void Runner::record_end(const EndedAttempt& ended) {
   changed_ = true;
   const AttemptWatch watch = working_.at(ended.case_id);
   working_.erase(ended.case_id);
-  AttemptEnd end = describe_end(one, book_.files_of(one), watch.attempt, ended);
-  const bool stopping = signals_.stop_requests() > 0;
-  if (watch.stalled && end.outcome != AttemptOutcome::kFinished) {
-    end.outcome = AttemptOutcome::kStalled;
-    end.reason = watch.why_ended;
-  } else if (stopping && failed_by_itself(end.outcome) && end.outcome != AttemptOutcome::kIoFailure) {
-    end.outcome = AttemptOutcome::kInterrupted;
-    end.reason = "stopped on request before it had written a checkpoint";
-  } else if (!stopping && end.outcome == AttemptOutcome::kInterrupted && end.step <= watch.first_step) {
-    end.outcome = AttemptOutcome::kFailed;  // a limit too short for a single step would be retried for ever
-    end.reason = "interrupted before its first step (" + end.reason + ")";
-  }
+  const AttemptEnd end = end_of(one, watch, ended);
   Transaction together(
       store_.connection());  // durable at once; what a crash leaves out is found in the files
   store_.end_attempt(ended.case_id, watch.attempt, end);
   keep_history(one);
   record_state(one, end);
   together.commit();
+}
+
+/// How an attempt ended, in the light of what was asked of it.
+AttemptEnd Runner::end_of(const CampaignCase& one, const AttemptWatch& watch,
+                          const EndedAttempt& ended) const {
+  AttemptEnd end = describe_end(one, book_.files_of(one), watch.attempt, ended);
+  const bool stopping = signals_.stop_requests() > 0;
+  const bool without_step = end.outcome == AttemptOutcome::kInterrupted && end.step <= watch.first_step;
+  if (watch.stalled && end.outcome != AttemptOutcome::kFinished) {
+    end.outcome = AttemptOutcome::kStalled;
+    end.reason = watch.why_ended;
+  } else if (stopping && may_be_ended_on_request(end)) {
+    end.outcome = AttemptOutcome::kInterrupted;
+    end.reason = "stopped on request before it had written a checkpoint";
+  } else if (without_step && ended.verdict && ended.verdict->outcome == AttemptOutcome::kNodeFailure) {
+    end.outcome = AttemptOutcome::kNodeFailure;  // no fault of the case, however early
+    end.reason = ended.verdict->reason;
+  } else if (!stopping && without_step) {
+    end.outcome = AttemptOutcome::kFailed;  // a limit too short for a single step would be retried for ever
+    end.reason = "interrupted before its first step (" + end.reason + ")";
+  }
+  return end;
 }
 
 /// The state of a case after an attempt, in the store and for the plan; what a person should know about it.

@@ -64,6 +64,8 @@ class Runner {
   void pause(const CampaignCase& one, const std::string& reason);
   void launch(const CampaignCase& one, const Action& action, const Ladder& ladder);
   void record_no_start(const CampaignCase& one, int attempt, const AttemptEnd& end);
+  [[nodiscard]] AttemptEnd end_of(const CampaignCase& one, const AttemptWatch& watch,
+                                  const EndedAttempt& ended) const;
   void record_end(const EndedAttempt& ended);
   void record_state(const CampaignCase& one, const AttemptEnd& end);
   void deliver_result(const CampaignCase& one);

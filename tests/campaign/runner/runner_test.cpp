@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <fstream>
+#include <functional>
+#include <iterator>
 #include <thread>
 #include <utility>
 
@@ -235,6 +238,54 @@ TEST_F(RunnerTest, AStopRequestStartsNothingMoreAndLeavesTheRestForResume) {
   EXPECT_TRUE(stopped.failed.empty());
   FakeLauncher rest([&](const LaunchRequest& request) { return finish(request); });
   EXPECT_EQ(run(rest).finished, 5U);
+}
+
+/// What a request may have done is one thing, what the solver did by itself meanwhile another.
+TEST_F(RunnerTest, AfterAStopOnlyWhatMayHaveBeenEndedByItCountsAsStopped) {
+  campaign_.cases.resize(1);
+  const auto stopped_with = [&](int exit_code) {
+    bool is_asked = false;
+    test::WatchedLauncher launcher([&](const LaunchRequest&) -> std::optional<int> {
+      if (std::exchange(is_asked, true)) return exit_code;
+      raise(SIGTERM);
+      return std::nullopt;
+    });
+    EXPECT_TRUE(run(launcher).stopped);
+    Store after = store();
+    return tests::answer(after, "SELECT outcome FROM attempts ORDER BY attempt DESC LIMIT 1");
+  };
+  EXPECT_EQ(stopped_with(128 + SIGTERM), "interrupted");
+  EXPECT_EQ(stopped_with(128 + SIGKILL), "interrupted");
+  EXPECT_EQ(stopped_with(1), "interrupted") << "an mpirun that was terminated";
+  EXPECT_EQ(stopped_with(128 + SIGSEGV), "failed");
+  EXPECT_EQ(stopped_with(static_cast<int>(ExitCode::kBadCase)), "bad case");
+}
+
+TEST_F(RunnerTest, AJobThatHadToMakeRoomBeforeItsFirstStepIsNoFailureOfItsCase) {
+  class Preempting final : public test::LauncherWithoutMemory {
+   public:
+    Handle start(const LaunchRequest& request) override {
+      running = request;
+      return "it";
+    }
+    std::vector<EndedAttempt> collect() override {
+      if (!running) return {};
+      const LaunchRequest ended = *std::exchange(running, std::nullopt);
+      if (ended.attempt > 3) return {{ended.case_id, finish(ended)}};
+      test::write_summary(RunFiles{ended.run_directory}, ended.case_id, ended.attempt, "interrupted", 0, 0.0);
+      return {{ended.case_id, std::nullopt, Verdict{AttemptOutcome::kNodeFailure, "had to make room"}}};
+    }
+    void stop(const std::filesystem::path&, const Handle&, StopLevel) override {}
+    [[nodiscard]] bool idle() const override { return !running; }
+    std::optional<LaunchRequest> running;
+    std::function<int(const LaunchRequest&)> finish;
+  } launcher;
+  launcher.finish = [&](const LaunchRequest& request) { return finish(request); };
+  campaign_.cases.resize(1);
+  EXPECT_EQ(run(launcher).finished, 1U);
+  Store after = store();
+  EXPECT_EQ(tests::answer(after, "SELECT group_concat(outcome) FROM attempts"),
+            "node failure,node failure,node failure,finished");
 }
 
 TEST_F(RunnerTest, AnInterruptedAttemptThatMadeNoStepIsNotRetriedForEver) {
