@@ -1,4 +1,5 @@
 #include <iostream>
+#include <optional>
 #include <system_error>
 
 #include "campaign/commands/campaign_folder.hpp"
@@ -75,16 +76,16 @@ void record_left_over(Store& store, const std::filesystem::path& folder,
   together.commit();
 }
 
-/// damage: what was wrong with the store that was set aside before; empty: none was.
-ExitStatus run_with_store(const LoadedCampaign& loaded, const RunOptions& options,
-                          const std::string& damage) {
+/// damage: what was wrong with the store that was set aside before; empty: none was. signals: made when
+/// nothing can be refused any more; a stop that was asked for counts for all that comes after it.
+ExitStatus run_with_store(const LoadedCampaign& loaded, const RunOptions& options, const std::string& damage,
+                          std::optional<Signals>& signals) {
   const auto launcher = make_launcher(loaded.campaign.execution);
   const Preflight ready = preflight(loaded, observe_for_run(loaded, *launcher), *launcher);
   require_nothing_in_the_way(ready, loaded.folder);
 
   RunnerReport report;
-  Signals
-      signals;  // also while the report is printed: a reader that has gone away must not change our status
+  if (!signals) signals.emplace();
   {
     Progress progress(loaded.folder / "manager.log");
     if (!damage.empty()) progress.event(damage, Progress::Kind::kBad);
@@ -100,7 +101,7 @@ ExitStatus run_with_store(const LoadedCampaign& loaded, const RunOptions& option
     runner_options.stall_seconds = options.stall_minutes * 60;
     runner_options.start_over = options.start_over;
     report =
-        Runner(loaded.campaign, loaded.folder, {*launcher, store, progress, signals}, runner_options).run();
+        Runner(loaded.campaign, loaded.folder, {*launcher, store, progress, *signals}, runner_options).run();
   }
   try {
     if (report.finished > 0) print_results(loaded.folder);
@@ -132,8 +133,10 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   keep_campaign_file(loaded);
   sweep_unfinished_stores(loaded.folder);
   std::string damage;
+  std::optional<Signals> signals;  // also while the report is printed: a reader that has gone away must not
+                                   // change our status
   try {
-    return run_with_store(loaded, options, damage);
+    return run_with_store(loaded, options, damage, signals);
   } catch (const BadInput&) {
     lock.leave_no_trace();
     throw;
@@ -143,7 +146,7 @@ ExitStatus run_campaign(const std::filesystem::path& path, const RunOptions& opt
   }
   const auto old = set_store_aside(loaded.folder);
   damage += "; the store is made again from the run directories, the old one is now " + old.string();
-  return run_with_store(loaded, options, damage);
+  return run_with_store(loaded, options, damage, signals);
 }
 
 }  // namespace softwall::campaign

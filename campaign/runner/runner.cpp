@@ -81,15 +81,17 @@ RunnerReport Runner::run() {
       signals_.wait(options_.poll);
     }
   } catch (const SqliteError& error) {
-    end_all();
+    const std::string reason =
+        (error.may_pass() ? "the results store cannot be written: " : "") + std::string(error.what());
+    end_all(reason);
     if (!error.may_pass()) throw;
-    return pause_all(std::string("the results store cannot be written: ") + error.what());
+    return pause_all(reason);
   } catch (const std::system_error& error) {
-    end_all();
+    end_all(error.what());
     if (!is_trouble_of_disk(error.code())) throw;
     return pause_all(error.what());
-  } catch (...) {
-    end_all();
+  } catch (const std::exception& error) {
+    end_all(error.what());
     throw;
   }
 }

@@ -78,7 +78,7 @@ class Runner {
   void import_on_the_way();
   void ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level);
   void pass_on_stop();
-  void end_all();
+  void end_all(const std::string& reason);
   [[nodiscard]] RunnerReport leave();
   [[nodiscard]] RunnerReport pause_all(const std::string& reason);
   [[nodiscard]] bool wait_for_store();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "campaign/runner/runner.hpp"
@@ -25,15 +26,13 @@ void Runner::pass_on_stop() {
   for (const auto& [id, watch] : working_) ask_to_end(id, watch, *level);
 }
 
-/// The manager cannot go on: every solver checkpoints and ends before the error is told. Those that need no
-/// manager are left alone.
-void Runner::end_all() {
-  if (launcher_.attempts_stay()) return;
-  StopLadder ladder(options_.grace, monotonic_seconds());
+/// The manager cannot go on: it says why, and every solver checkpoints and ends; a user who asks more firmly
+/// is heard. Those that need no manager are left alone.
+void Runner::end_all(const std::string& reason) {
+  if (launcher_.attempts_stay() || launcher_.idle()) return;
+  progress_.event(describe_breakdown(reason, working_.size()), Progress::Kind::kBad);
   while (!launcher_.idle()) {
-    if (const auto level = ladder.due(monotonic_seconds())) {
-      for (const auto& [id, watch] : working_) ask_to_end(id, watch, *level);
-    }
+    pass_on_stop();
     signals_.wait(options_.poll);
     for (const EndedAttempt& ended : launcher_.collect()) working_.erase(ended.case_id);
   }

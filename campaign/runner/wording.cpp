@@ -55,6 +55,10 @@ std::string describe_stop(int asked, std::size_t working) {
   return "ending " + cases + " at once";
 }
 
+std::string describe_breakdown(const std::string& reason, std::size_t working) {
+  return reason + "; waiting for " + counted(working, "case") + " to write a checkpoint";
+}
+
 std::string describe_leaving(std::size_t working) {
   if (working == 0) return "leaving";
   return "leaving; " + std::to_string(working) + (working == 1 ? " job goes" : " jobs go") +

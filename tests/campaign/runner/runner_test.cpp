@@ -410,6 +410,49 @@ TEST_F(RunnerTest, AStopThatTakesLongerThanAStepMayIsNoStall) {
             "interrupted: stopped on request before it had written a checkpoint");
 }
 
+/// The manager's own failure is told before the solvers are waited for, and whoever does not want to wait is
+/// heard.
+TEST_F(RunnerTest, ARunnerThatFailsSaysWhyAndHearsRequestsToEndSooner) {
+  class Failing final : public test::LauncherWithoutMemory {
+   public:
+    explicit Failing(std::filesystem::path log) : log_(std::move(log)) {}
+    Handle start(const LaunchRequest& request) override { return running_ = request.case_id; }
+    std::vector<EndedAttempt> collect() override {
+      if (!running_.empty() && !std::exchange(has_failed_, true)) throw std::runtime_error("something broke");
+      return std::exchange(ended_, {});
+    }
+    void stop(const std::filesystem::path&, const Handle& handle, StopLevel level) override {
+      std::ifstream in(log_);
+      said.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+      raise(SIGTERM);
+      raise(SIGINT);
+      if (level != StopLevel::kKill) return;
+      ended_.push_back({handle, 137});
+      running_.clear();
+    }
+    [[nodiscard]] bool idle() const override { return running_.empty() && ended_.empty(); }
+    std::vector<std::string> said;
+
+   private:
+    std::filesystem::path log_;
+    std::string running_;
+    bool has_failed_ = false;
+    std::vector<EndedAttempt> ended_;
+  } launcher(folder_.path() / "manager.log");
+  campaign_.cases.resize(1);
+  RunnerOptions options;
+  options.poll = std::chrono::milliseconds(1);
+  Signals signals;
+  Progress progress(folder_.path() / "manager.log");
+  Store results = Store::open(folder_.path(), OpenMode::kCreate);
+  Runner runner(campaign_, folder_.path(), {launcher, results, progress, signals}, options);
+  EXPECT_THROW(runner.run(), std::runtime_error);
+  ASSERT_EQ(launcher.said.size(), 3U) << "checkpoint, terminate, kill";
+  EXPECT_NE(launcher.said.front().find("something broke; waiting for 1 case to write a checkpoint"),
+            std::string::npos)
+      << launcher.said.front();
+}
+
 TEST_F(RunnerTest, AHangingAttemptIsEndedMoreAndMoreFirmlyAndCountedAsStalled) {
   HangingLauncher launcher;
   RunnerOptions options;
