@@ -144,12 +144,15 @@ bool SlurmLauncher::may_grow(const Group& group) const {
   return any_at_work && monotonic_seconds() - oldest < pace_.gathering;
 }
 
-/// One after the other while Slurm takes them.
+/// One after the other while Slurm takes them; what is left over is submitted at the next occasion, so that a
+/// person who wants softwall to stop is heard.
 void SlurmLauncher::submit_waiting(bool also_small_ones) {
+  const double began = monotonic_seconds();
   for (const Group& group : groups_to_submit(also_small_ones)) {
     queue_.refresh();
     if (!queue_.answers() || monotonic_seconds() < submit_at_) return;
     submit(group);
+    if (monotonic_seconds() - began > pace_.submitting) return;
   }
 }
 

@@ -45,6 +45,8 @@ struct SlurmPace {
   /// So long a job with room for more cases waits for them: those of a job that reaches its time limit end
   /// one after the other, and go on together.
   double gathering = 20.0;
+  /// For so long jobs are submitted one after the other before softwall looks at anything else.
+  double submitting = 2.0;
 };
 
 class SlurmQueue {

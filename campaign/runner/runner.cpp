@@ -65,11 +65,10 @@ RunnerReport Runner::run() {
     while (true) {
       for (const EndedAttempt& ended : launcher_.collect()) record_end(ended);
       for (const std::string& news : launcher_.news()) progress_.event(news, Progress::Kind::kBad);
-      if (signals_.stop_requests() > 0 && launcher_.attempts_stay()) return leave();
+      if (signals_.stop_requests() == 0) start_as_many_as_fit();
       if (signals_.stop_requests() > 0) {
+        if (launcher_.attempts_stay()) return leave();
         pass_on_stop();
-      } else {
-        start_as_many_as_fit();
       }
       // A case that cannot be started leaves its cores to others, which the next plan finds.
       const bool may_start_more = changed_ && signals_.stop_requests() == 0;
@@ -108,7 +107,11 @@ void Runner::keep_history(const CampaignCase& one) {
 
 void Runner::start_as_many_as_fit() {
   if (!std::exchange(changed_, false)) return;
-  for (const Action& action : plan(book_.campaign(), book_.observations(), free_cores())) start(action);
+  for (const Action& action : plan(book_.campaign(), book_.observations(), free_cores())) {
+    signals_.wait(std::chrono::milliseconds(0));
+    if (signals_.stop_requests() > 0) return;
+    start(action);
+  }
 }
 
 void Runner::start(const Action& action) {

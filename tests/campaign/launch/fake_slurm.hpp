@@ -80,6 +80,7 @@ inline constexpr campaign::SlurmPace kQuickPace{.shortest = 0.0,
                                                 .answer = 5.0,
                                                 .doubt = 0.3,
                                                 .quiet = 0.3,
-                                                .gathering = 0.5};
+                                                .gathering = 0.5,
+                                                .submitting = 5.0};
 
 }  // namespace softwall::test

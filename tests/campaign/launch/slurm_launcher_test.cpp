@@ -332,6 +332,26 @@ TEST_F(SlurmLauncherTest, AnInterruptedAttemptThatIsQueuedAgainIsLeftAlone) {
   EXPECT_TRUE(slurm_.calls("scancel").empty());
 }
 
+TEST_F(SlurmLauncherTest, SubmittingManyJobsIsDoneInPartsSoThatSoftwallCanLeave) {
+  SlurmPace pace = test::kQuickPace;
+  pace.submitting = 0.0;
+  SlurmLauncher launcher(options_, pace);
+  launcher.prepare("/opt/softwall-dns", 0);
+  slurm_.play("squeue", "exit 1");  // so that they come together
+  for (const char* name : {"a", "b", "c"}) {
+    LaunchRequest one = request();
+    one.case_id = name;
+    one.run_directory = folder_.path() / "cases" / name;
+    std::filesystem::create_directories(one.run_directory);
+    static_cast<void>(launcher.start(one));
+  }
+  slurm_.play("squeue", "cat queue");
+  for (const std::size_t parts : {1U, 2U, 3U}) {
+    EXPECT_TRUE(launcher.collect().empty());
+    EXPECT_EQ(submitted(), parts);
+  }
+}
+
 /// A folder that was copied or moved, with all its files, after its job had been submitted.
 class SlurmFolderTest : public SlurmLauncherTest {
  protected:

@@ -137,6 +137,15 @@ TEST_F(AdoptionTest, JobsGoOnWhenTheRunnerIsAskedToLeave) {
   EXPECT_EQ(next.adopted, std::vector{precursor_id()});
 }
 
+TEST_F(AdoptionTest, NothingMoreIsSubmittedOnceTheUserHasAskedToStop) {
+  test::BatchLauncher launcher(system_);
+  launcher.on_start = [&] {
+    if (launcher.started.size() == 2) raise(SIGINT);
+  };
+  EXPECT_TRUE(run(launcher).stopped);
+  EXPECT_EQ(launcher.started.size(), 2U) << "the precursor and the first of four that may start together";
+}
+
 TEST_F(AdoptionTest, AJobThatWaitsForLongIsNotTakenForOneThatHangs) {
   test::BatchLauncher launcher(system_);
   int passes = 0;

@@ -50,6 +50,7 @@ class BatchLauncher final : public campaign::Launcher {
   campaign::Handle start(const campaign::LaunchRequest& request) override {
     const campaign::Handle number = system_.submit(request);
     started.push_back(request.case_id);
+    if (on_start) on_start();
     watched_.insert(number);
     return number;
   }
@@ -86,6 +87,7 @@ class BatchLauncher final : public campaign::Launcher {
   [[nodiscard]] std::optional<int> capacity() const override { return std::nullopt; }
 
   std::function<void()> on_pass;              ///< is called before time passes
+  std::function<void()> on_start;             ///< is called when an attempt is started
   std::vector<std::string> started, adopted;  ///< case ids
   std::vector<std::pair<campaign::Handle, campaign::StopLevel>> stops;
 
