@@ -77,7 +77,7 @@ RunnerReport Runner::run() {
       end_what_is_over();
       import_on_the_way();
       progress_line_.show(book_, working_, monotonic_seconds());
-      signals_.wait(options_.poll);
+      signals_.wait(poll());
     }
   } catch (const SqliteError& error) {
     const std::string reason =
@@ -93,6 +93,10 @@ RunnerReport Runner::run() {
     end_all(error.what());
     throw;
   }
+}
+
+std::chrono::milliseconds Runner::poll() const {
+  return launcher_.attempts_stay() ? options_.patient_poll : options_.poll;
 }
 
 /// A history that cannot be written is no reason to stop: the store has it.

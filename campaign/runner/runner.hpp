@@ -26,8 +26,11 @@ struct RunnerOptions {
   /// An attempt whose ranks run but do not get through MPI_Init for this long is ended.
   double begin_seconds = 180.0;
   StopGrace grace;
-  double import_seconds = 5.0;  ///< of a case at work, results are not recorded more often than this
-  std::chrono::milliseconds poll{200};
+  double import_seconds = 5.0;          ///< of a case at work, results are not recorded more often than this
+  std::chrono::milliseconds poll{200};  ///< between two looks at attempts that end with softwall
+  /// And at those that go on without it: a look at each of them is a few questions to a network's file
+  /// system.
+  std::chrono::milliseconds patient_poll{2000};
   bool start_over = false;      ///< cases may start from the beginning although they had checkpoints
   double store_seconds = 10.0;  ///< how long a locked store is waited for once the user has asked to stop
 };
@@ -83,6 +86,7 @@ class Runner {
   [[nodiscard]] RunnerReport pause_all(const std::string& reason);
   [[nodiscard]] bool wait_for_store();
   void keep_history(const CampaignCase& one);
+  [[nodiscard]] std::chrono::milliseconds poll() const;
   [[nodiscard]] RunnerReport report() const;
   [[nodiscard]] int free_cores() const;
 

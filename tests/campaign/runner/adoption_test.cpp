@@ -5,6 +5,7 @@
 
 #include "campaign/observe/history.hpp"
 #include "campaign/observe/run_reports.hpp"
+#include "campaign/system/clock.hpp"
 #include "tests/campaign/runner/fake_batch_system.hpp"
 #include "tests/campaign/runner/runner_fixture.hpp"
 
@@ -144,6 +145,24 @@ TEST_F(AdoptionTest, NothingMoreIsSubmittedOnceTheUserHasAskedToStop) {
   };
   EXPECT_TRUE(run(launcher).stopped);
   EXPECT_EQ(launcher.started.size(), 2U) << "the precursor and the first of four that may start together";
+}
+
+TEST_F(AdoptionTest, JobsAreNotLookedAtAsOftenAsProcesses) {
+  test::BatchLauncher launcher(system_);
+  std::vector<double> looks;  // at the precursor's job, while it waits
+  launcher.on_pass = [&] {
+    if (launcher.started.size() == 1) looks.push_back(monotonic_seconds());
+    system_.is_full = looks.size() < 20;
+  };
+  RunnerOptions options;
+  options.poll = std::chrono::milliseconds(1);
+  options.patient_poll = std::chrono::milliseconds(20);
+  Signals signals;
+  Progress progress("");
+  Store results = Store::open(folder_.path(), OpenMode::kCreate);
+  EXPECT_EQ(Runner(campaign_, folder_.path(), {launcher, results, progress, signals}, options).run().finished,
+            5U);
+  EXPECT_GT(looks.back() - looks.front(), 19 * 0.019);
 }
 
 TEST_F(AdoptionTest, AJobThatWaitsForLongIsNotTakenForOneThatHangs) {

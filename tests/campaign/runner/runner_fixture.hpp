@@ -64,7 +64,7 @@ class RunnerTest : public ::testing::Test {
   }
 
   RunnerReport run(Launcher& launcher, RunnerOptions options = {}) {
-    options.poll = std::chrono::milliseconds(1);
+    options.poll = options.patient_poll = std::chrono::milliseconds(1);
     Signals signals;
     Progress progress("");
     Store store = Store::open(folder_.path(), OpenMode::kCreate);
