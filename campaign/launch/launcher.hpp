@@ -69,6 +69,9 @@ class Launcher {
   /// Whether attempts go on when the softwall that started them leaves. They are then left alone, and the
   /// next softwall adopts them.
   [[nodiscard]] virtual bool attempts_stay() const { return false; }
+  /// Takes back the attempts that have only been prepared and wait here to be handed over: nobody does that
+  /// once softwall has left. Their case ids; they count as never started.
+  [[nodiscard]] virtual std::vector<std::string> take_back() { return {}; }
   /// What users should know about the launcher itself, once each.
   [[nodiscard]] virtual std::vector<std::string> news() { return {}; }
   /// Attempts that ended since the last call. Does not wait.

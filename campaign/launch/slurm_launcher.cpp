@@ -237,6 +237,18 @@ void SlurmLauncher::tell_why_it_waits(const std::string& directory, const std::v
   tell(found->name, directory + ": job " + found->number + " waits, says Slurm: " + found->why);
 }
 
+std::vector<std::string> SlurmLauncher::take_back() {
+  std::vector<std::string> taken;
+  std::erase_if(jobs_, [&](const auto& named) {
+    const Job& job = named.second;
+    if (job.stage != Stage::kWaiting) return false;
+    clean_up(job.request.run_directory);  // without a script there is no job to look for
+    taken.push_back(job.request.case_id);
+    return true;
+  });
+  return taken;
+}
+
 std::vector<std::string> SlurmLauncher::news() { return std::exchange(news_, {}); }
 
 /// Once, until something else is to be said about the same thing. Nothing: all is well again.

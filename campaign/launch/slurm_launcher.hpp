@@ -34,6 +34,7 @@ class SlurmLauncher final : public Launcher {
   [[nodiscard]] Handle start(const LaunchRequest& request) override;
   [[nodiscard]] bool adopt(const LaunchRequest& request, const Handle& handle) override;
   [[nodiscard]] bool attempts_stay() const override { return true; }
+  [[nodiscard]] std::vector<std::string> take_back() override;
   [[nodiscard]] std::vector<std::string> news() override;
   std::vector<EndedAttempt> collect() override;
   [[nodiscard]] bool idle() const override { return jobs_.empty(); }

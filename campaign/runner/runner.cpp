@@ -175,17 +175,18 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
     end.outcome = AttemptOutcome::kNotStarted;
     end.reason = error.what();
     end.step = first_step;
-    return record_no_start(one, attempt, end);
+    record_not_started(one, attempt, end);
+    return pause(one, end.reason);
   }
   book_.mark_running(one, launcher_.attempts_stay() ? Presence::kQueued : Presence::kRunning);
   progress_.event(describe_start(one, action.ranks, ladder, launcher_.attempts_stay()));
 }
 
 /// Nothing of the attempt ever ran.
-void Runner::record_no_start(const CampaignCase& one, int attempt, const AttemptEnd& end) {
+void Runner::record_not_started(const CampaignCase& one, int attempt, const AttemptEnd& end) {
   store_.end_attempt(one.definition.id, attempt, end);
+  keep_history(one);
   store_.set_state(one.definition.id, observe_files(one, book_.files_of(one)).state, end.reason);
-  pause(one, end.reason);
 }
 
 void Runner::record_end(const EndedAttempt& ended) {

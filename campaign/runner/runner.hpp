@@ -66,7 +66,7 @@ class Runner {
   void start(const Action& action);
   void pause(const CampaignCase& one, const std::string& reason);
   void launch(const CampaignCase& one, const Action& action, const Ladder& ladder);
-  void record_no_start(const CampaignCase& one, int attempt, const AttemptEnd& end);
+  void record_not_started(const CampaignCase& one, int attempt, const AttemptEnd& end);
   [[nodiscard]] AttemptEnd end_of(const CampaignCase& one, const AttemptWatch& watch,
                                   const EndedAttempt& ended) const;
   void record_end(const EndedAttempt& ended);
@@ -82,6 +82,7 @@ class Runner {
   void ask_to_end(const std::string& case_id, const AttemptWatch& watch, StopLevel level);
   void pass_on_stop();
   void end_all(const std::string& reason);
+  [[nodiscard]] std::size_t take_back_unsubmitted();
   [[nodiscard]] RunnerReport leave();
   [[nodiscard]] RunnerReport pause_all(const std::string& reason);
   [[nodiscard]] bool wait_for_store();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "campaign/runner/runner.hpp"
 #include "campaign/runner/wording.hpp"
@@ -38,13 +39,34 @@ void Runner::end_all(const std::string& reason) {
   }
 }
 
+/// What waits here to be submitted would wait for ever: it is as if it had not been started.
+std::size_t Runner::take_back_unsubmitted() {
+  const std::vector<std::string> ids = launcher_.take_back();
+  if (ids.empty()) return 0;
+  Transaction together(store_.connection());
+  for (const std::string& id : ids) {
+    const CampaignCase& one = book_.find(id);
+    const AttemptWatch watch = working_.at(id);
+    working_.erase(id);
+    AttemptEnd end;
+    end.outcome = AttemptOutcome::kNotStarted;
+    end.reason = "softwall was left before it was submitted";
+    end.step = watch.first_step;
+    record_not_started(one, watch.attempt, end);
+    book_.look_at(one);
+  }
+  together.commit();
+  return ids.size();
+}
+
 /// Jobs of a batch system need no softwall to go on; whoever leaves for the night does not want them ended.
 RunnerReport Runner::leave() {
+  const std::size_t not_submitted = take_back_unsubmitted();
   for (const auto& [id, watch] : working_) {
     const CampaignCase& one = book_.find(id);
     book_.mark_running(one, launcher_.presence(book_.files_of(one).directory, watch.handle));
   }
-  progress_.event(describe_leaving(working_.size()));
+  progress_.event(describe_leaving(working_.size(), not_submitted));
   return report();
 }
 

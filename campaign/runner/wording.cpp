@@ -59,10 +59,14 @@ std::string describe_breakdown(const std::string& reason, std::size_t working) {
   return reason + "; waiting for " + counted(working, "case") + " to write a checkpoint";
 }
 
-std::string describe_leaving(std::size_t working) {
-  if (working == 0) return "leaving";
-  return "leaving; " + std::to_string(working) + (working == 1 ? " job goes" : " jobs go") +
-         " on without softwall, and the next run waits for " + (working == 1 ? "it" : "them");
+std::string describe_leaving(std::size_t working, std::size_t not_submitted) {
+  std::string words = "leaving";
+  if (working > 0)
+    words += "; " + std::to_string(working) + (working == 1 ? " job goes" : " jobs go") +
+             " on without softwall, and the next run waits for " + (working == 1 ? "it" : "them");
+  if (not_submitted > 0)
+    words += "; " + counted(not_submitted, "case") + " not submitted yet, which the next run does";
+  return words;
 }
 
 std::string describe_progress(const Campaign& campaign, const std::vector<Observation>& observations,

@@ -22,8 +22,8 @@ namespace softwall::campaign {
 [[nodiscard]] std::string describe_stop(int asked, std::size_t working);
 /// Why the manager cannot go on, and what it waits for.
 [[nodiscard]] std::string describe_breakdown(const std::string& reason, std::size_t working);
-/// Of so many attempts that go on by themselves.
-[[nodiscard]] std::string describe_leaving(std::size_t working);
+/// Of so many attempts that go on by themselves, and so many that were not yet with the batch system.
+[[nodiscard]] std::string describe_leaving(std::size_t working, std::size_t not_submitted);
 /// "2/7 finished | G=1_mu=1 46 %, G=2_mu=1 12 % | about 3 min left"
 [[nodiscard]] std::string describe_progress(const Campaign& campaign,
                                             const std::vector<Observation>& observations,

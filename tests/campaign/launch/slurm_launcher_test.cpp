@@ -332,6 +332,28 @@ TEST_F(SlurmLauncherTest, AnInterruptedAttemptThatIsQueuedAgainIsLeftAlone) {
   EXPECT_TRUE(slurm_.calls("scancel").empty());
 }
 
+TEST_F(SlurmLauncherTest, AScriptThatIsGoneIsNoEndOfAnAttemptThatWasStartedHere) {
+  const Handle handle = launcher_.start(request());
+  std::filesystem::remove(job_script(run_.directory));
+  EXPECT_EQ(presence(handle), Presence::kQueued);
+  EXPECT_FALSE(collect_once(launcher_));
+}
+
+TEST_F(SlurmLauncherTest, WhatWasNotAcceptedIsTakenBack) {
+  static_cast<void>(launcher_.start(request()));
+  EXPECT_TRUE(launcher_.take_back().empty()) << "it goes on without softwall";
+  slurm_.play("sbatch", "echo 'sbatch: error: QOSMaxSubmitJobPerUserLimit' >&2; exit 1");
+  LaunchRequest other = request();
+  other.case_id = "another";
+  other.run_directory = folder_.path() / "cases" / "another-01234567";
+  std::filesystem::create_directories(other.run_directory);
+  const Handle handle = launcher_.start(other);
+  EXPECT_EQ(launcher_.take_back(), std::vector<std::string>{"another"});
+  SlurmLauncher next(options_, test::kQuickPace);
+  EXPECT_EQ(next.presence(other.run_directory, handle), Presence::kGone);
+  EXPECT_FALSE(launcher_.idle()) << "the first is still there";
+}
+
 TEST_F(SlurmLauncherTest, SubmittingManyJobsIsDoneInPartsSoThatSoftwallCanLeave) {
   SlurmPace pace = test::kQuickPace;
   pace.submitting = 0.0;

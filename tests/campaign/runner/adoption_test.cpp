@@ -138,6 +138,31 @@ TEST_F(AdoptionTest, JobsGoOnWhenTheRunnerIsAskedToLeave) {
   EXPECT_EQ(next.adopted, std::vector{precursor_id()});
 }
 
+/// A limit of jobs, or cases that wait for company in a job: nobody submits them once softwall has left.
+TEST_F(AdoptionTest, WhatWasNotYetSubmittedIsNotLeftAsIfItRan) {
+  test::BatchLauncher launcher(system_);
+  system_.most_jobs = 2;  // the precursor's and one more
+  launcher.on_pass = [&] {
+    if (launcher.started.size() < 5) return;
+    system_.is_full = true;
+    raise(SIGINT);
+  };
+  EXPECT_EQ(run(launcher).unfinished.size(), 4U);
+  Store left = store();
+  EXPECT_EQ(tests::answer(left,
+                          "SELECT group_concat(n) FROM (SELECT count(*) || ' ' || state AS n FROM cases"
+                          " GROUP BY state ORDER BY state)"),
+            "1 finished,3 new,1 running");
+  system_.is_full = false;
+  system_.most_jobs = 1000;
+  test::BatchLauncher next(system_);
+  EXPECT_EQ(run(next).finished, 5U);
+  EXPECT_EQ(next.adopted.size(), 1U);
+  Store after = store();
+  EXPECT_EQ(tests::answer(after, "SELECT count(*) FROM attempts WHERE outcome = 'not started'"), "3");
+  EXPECT_EQ(tests::answer(after, "SELECT count(*) FROM attempts WHERE outcome = 'lost'"), "0");
+}
+
 TEST_F(AdoptionTest, NothingMoreIsSubmittedOnceTheUserHasAskedToStop) {
   test::BatchLauncher launcher(system_);
   launcher.on_start = [&] {

@@ -21,6 +21,7 @@ struct BatchSystem {
   };
   std::map<campaign::Handle, Job> jobs;                      ///< by number
   bool is_full = false;                                      ///< true: whoever waits goes on waiting
+  std::size_t most_jobs = 1000;                              ///< more than these it does not take
   bool answers = true;                                       ///< false: its commands fail for the time being
   std::function<void(const campaign::LaunchRequest&)> play;  ///< what the solver of a job leaves
 
@@ -48,12 +49,17 @@ class BatchLauncher final : public campaign::Launcher {
 
   void prepare(const std::filesystem::path&, int) override {}
   campaign::Handle start(const campaign::LaunchRequest& request) override {
-    const campaign::Handle number = system_.submit(request);
     started.push_back(request.case_id);
     if (on_start) on_start();
+    if (system_.jobs.size() >= system_.most_jobs) {
+      not_submitted_.push_back(request.case_id);
+      return "to be submitted";
+    }
+    const campaign::Handle number = system_.submit(request);
     watched_.insert(number);
     return number;
   }
+  std::vector<std::string> take_back() override { return std::exchange(not_submitted_, {}); }
   bool adopt(const campaign::LaunchRequest& request, const campaign::Handle& handle) override {
     adopted.push_back(request.case_id);
     watched_.insert(handle);
@@ -72,7 +78,7 @@ class BatchLauncher final : public campaign::Launcher {
     });
     return ended;
   }
-  [[nodiscard]] bool idle() const override { return watched_.empty(); }
+  [[nodiscard]] bool idle() const override { return watched_.empty() && not_submitted_.empty(); }
   [[nodiscard]] std::vector<campaign::Presence> presences(
       const std::vector<campaign::AttemptPlace>& places) const override {
     std::vector<campaign::Presence> found;
@@ -100,6 +106,7 @@ class BatchLauncher final : public campaign::Launcher {
 
   BatchSystem& system_;
   std::set<campaign::Handle> watched_;
+  std::vector<std::string> not_submitted_;
 };
 
 }  // namespace softwall::test

@@ -59,8 +59,11 @@ TEST(Wording, OfAStopSaysWhatAnotherOneWouldDo) {
   EXPECT_EQ(describe_stop(2, 3), "ending 3 cases within seconds (Ctrl-C again: at once)");
   EXPECT_EQ(describe_stop(3, 3), "ending 3 cases at once");
   EXPECT_EQ(describe_stop(1, 0), "stopping");
-  EXPECT_EQ(describe_leaving(1), "leaving; 1 job goes on without softwall, and the next run waits for it");
-  EXPECT_EQ(describe_leaving(3), "leaving; 3 jobs go on without softwall, and the next run waits for them");
+  EXPECT_EQ(describe_leaving(1, 0), "leaving; 1 job goes on without softwall, and the next run waits for it");
+  EXPECT_EQ(describe_leaving(3, 1),
+            "leaving; 3 jobs go on without softwall, and the next run waits for them; 1 case not submitted "
+            "yet, which the next run does");
+  EXPECT_EQ(describe_leaving(0, 2), "leaving; 2 cases not submitted yet, which the next run does");
 }
 
 TEST(Wording, OfProgressNamesWhatIsRunning) {
