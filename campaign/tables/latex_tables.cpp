@@ -1,6 +1,7 @@
 #include "campaign/tables/latex_tables.hpp"
 
 #include <ostream>
+#include <regex>
 #include <span>
 #include <string>
 
@@ -25,12 +26,19 @@ std::string latex_text(const std::string& text) {
   return safe;
 }
 
-/// "240.5 +- 3.2" as "$240.5 \pm 3.2$".
+/// "1.2e-09" as "1.2\cdot10^{-9}".
+std::string with_powers_of_ten(const std::string& numbers) {
+  static const std::regex exponent("e[+]?(-?)0*([0-9]+)");
+  return std::regex_replace(numbers, exponent, "\\cdot10^{$1$2}");
+}
+
+/// "240.5 +- 3.2" as "$240.5 \pm 3.2$", "240.5 (*)" as "$240.5{}^{*}$".
 std::string in_mathematics(const std::string& measured) {
   if (measured == "-") return "--";
   const auto sign = measured.find("+-");
-  if (sign == std::string::npos) return "$" + measured.substr(0, measured.find(' ')) + "^{*}$";
-  return "$" + measured.substr(0, sign) + "\\pm" + measured.substr(sign + 2) + "$";
+  if (sign == std::string::npos)
+    return "$" + with_powers_of_ten(measured.substr(0, measured.find(' '))) + "{}^{*}$";
+  return "$" + with_powers_of_ten(measured.substr(0, sign) + "\\pm" + measured.substr(sign + 2)) + "$";
 }
 
 void write_cells(std::ostream& out, const std::string& name, std::span<const Quantity> quantities,

@@ -9,7 +9,6 @@ namespace softwall::campaign {
 
 namespace {
 
-constexpr int kMostDecimals = 4;
 constexpr std::size_t kMostCharacters = 16;  // what keeps the widest table on its page
 
 /// Asks the tables, because the view `results` would gather every column of every case first. All rows of a
@@ -42,9 +41,41 @@ std::string three_digits(double value) {
   return {buffer.data(), static_cast<std::size_t>(length)};
 }
 
-int decimals_for(double ci95) {
-  if (!(ci95 > 0.0) || !std::isfinite(ci95)) return kMostDecimals;
-  return std::clamp(1 - static_cast<int>(std::floor(std::log10(ci95))), 0, kMostDecimals);
+/// Decimals that show so many significant digits of a number; none of the digits before its point goes.
+int decimals_for(double number, int digits) {
+  return std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(number))));
+}
+
+std::string with_interval(double value, double ci95, int decimals) {
+  return fixed(value, decimals) + " +- " + fixed(ci95, decimals);
+}
+
+/// "(923 +- 38)e-6"
+std::string in_units_of_last_digit(double value, double ci95, int decimals) {
+  const double unit = std::pow(10.0, -decimals);
+  return "(" + with_interval(value / unit, ci95 / unit, 0) + ")e-" + std::to_string(decimals);
+}
+
+/// As it would be written best, and what there is to fall back on where that is too long: two digits of the
+/// half width, one of them rather than a number without its unit, and that where zeros fill the cell.
+std::vector<std::string> ways_to_write(double value, double ci95) {
+  constexpr int kDecimalsOfNothing = 4;
+  if (!(ci95 > 0.0) || !std::isfinite(ci95)) return {with_interval(value, ci95, kDecimalsOfNothing)};
+  const int two = decimals_for(ci95, 2), one = decimals_for(ci95, 1);
+  return {with_interval(value, ci95, two), with_interval(value, ci95, one),
+          in_units_of_last_digit(value, ci95, two)};
+}
+
+std::string value_and_interval(double value, double ci95) {
+  for (const std::string& text : ways_to_write(value, ci95))
+    if (text.size() <= kMostCharacters) return text;
+  return three_digits(value) + " +- " + three_digits(ci95);
+}
+
+std::string without_interval(double value, int decimals) {
+  const bool reads_as_zero = value != 0.0 && std::abs(value) < 0.5 * std::pow(10.0, -decimals);
+  const std::string text = reads_as_zero ? three_digits(value) : fixed(value, decimals);
+  return (text.size() <= kMostCharacters ? text : three_digits(value)) + " (*)";
 }
 
 void read_values(Connection& store, MeasuredCase& of) {
@@ -89,12 +120,8 @@ std::vector<MeasuredCase> measured_cases(Connection& store, std::int64_t most) {
 
 std::string measured_text(const MeasuredValue& measured, int decimals) {
   if (!measured.value) return "-";
-  const int needed = measured.ci95 ? decimals_for(*measured.ci95) : decimals;
-  const auto text_with = [&](const auto& text_of) {
-    return text_of(*measured.value) + (measured.ci95 ? " +- " + text_of(*measured.ci95) : " (*)");
-  };
-  const std::string text = text_with([needed](double value) { return fixed(value, needed); });
-  return text.size() <= kMostCharacters ? text : text_with(three_digits);
+  return measured.ci95 ? value_and_interval(*measured.value, *measured.ci95)
+                       : without_interval(*measured.value, decimals);
 }
 
 }  // namespace softwall::campaign

@@ -39,8 +39,9 @@ struct MeasuredCase {
 [[nodiscard]] std::vector<MeasuredCase> measured_cases(
     Connection& store, std::int64_t most = std::numeric_limits<std::int64_t>::max());
 
-/// "240.5 +- 3.2": as many decimals as two digits of the interval call for, at most 16 characters.
-/// "240.52 (*)": without interval, with so many decimals. "-": no value.
+/// "240.5 +- 3.2": as many decimals as two digits of the half width call for, or one of them where that makes
+/// 16 characters of it; "(923 +- 38)e-6" where zeros would. "240.52 (*)": without interval, with so many
+/// decimals. "-": no value. What is not zero does not read as zero.
 [[nodiscard]] std::string measured_text(const MeasuredValue& measured, int decimals);
 
 }  // namespace softwall::campaign

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -54,10 +55,20 @@ TEST(MeasuredText, ShowsTheDigitsThatTheIntervalSupports) {
   EXPECT_EQ(measured_text({240.512, 3.21}, 1), "240.5 +- 3.2");
   EXPECT_EQ(measured_text({240.512, 32.1}, 1), "241 +- 32");
   EXPECT_EQ(measured_text({0.12034, 0.0123}, 3), "0.120 +- 0.012");
-  EXPECT_EQ(measured_text({1.2, 1e-9}, 3), "1.2000 +- 0.0000");
+  EXPECT_EQ(measured_text({1.2, 1e-9}, 3), "1.2 +- 1e-09");
+  EXPECT_EQ(measured_text({0.01234, 0.00038}, 4), "0.0123 +- 0.0004");
   EXPECT_EQ(measured_text({-123456.789, 0.01}, 1), "-1.23e+05 +- 0.01");
   EXPECT_EQ(measured_text({240.512, std::nullopt}, 1), "240.5 (*)");
   EXPECT_EQ(measured_text({std::nullopt, std::nullopt}, 1), "-");
+}
+
+TEST(MeasuredText, WhatIsNotZeroDoesNotReadAsZero) {
+  EXPECT_EQ(measured_text({9.23e-4, 3.8e-5}, 4), "(923 +- 38)e-6");
+  EXPECT_EQ(measured_text({2.013e-4, 6.3e-6}, 4), "(2013 +- 63)e-7");
+  EXPECT_EQ(measured_text({-2.013e-4, 6.3e-6}, 4), "(-2013 +- 63)e-7");
+  EXPECT_EQ(measured_text({3.21e-5, std::nullopt}, 4), "3.21e-05 (*)");
+  EXPECT_EQ(measured_text({0.0, std::nullopt}, 4), "0.0000 (*)");
+  EXPECT_EQ(measured_text({0.5, 0.0}, 3), "0.5000 +- 0.0000");
 }
 
 class PaperTablesTest : public ::testing::Test {
@@ -221,6 +232,22 @@ TEST_F(PaperTablesTest, AreLatexThatNothingBreaks) {
       EXPECT_FALSE(std::regex_search(line.substr(0, line.find('&')), unescaped)) << line;
     }
   }
+}
+
+TEST_F(PaperTablesTest, SmallDeformationsHaveIntervalsInEveryTable) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  analysis::DerivedQuantities derived;
+  derived.delta_max = {9.23e-4, 3.8e-5};
+  derived.delta_rms = {2.013e-4, kNone};
+  derived.d = {3.2e-9, kNone};
+  store.record_result(case_with(campaign, 1.0, 1.0).definition.id, derived, "");
+  std::ostringstream latex, closing;
+  write_latex_tables(latex, store.connection());
+  write_closing_table(closing, store.connection());
+  EXPECT_THAT(latex.str(), HasSubstr("& $3.2\\cdot10^{-9}{}^{*}$ & -- & -- & $(923 \\pm 38)\\cdot10^{-6}$ & "
+                                     "$0.0002{}^{*}$ \\\\\n"));
+  EXPECT_THAT(closing.str(), HasSubstr("  (923 +- 38)e-6  0.0002 (*)\n"));
+  EXPECT_THAT(page(), HasSubstr("  (923 +- 38)e-6  0.0002 (*)\n"));
 }
 
 TEST_F(PaperTablesTest, ClosingTableHasIntervalsAndUnits) {
