@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <ostream>
 
 #include "campaign/store/text_width.hpp"
@@ -52,11 +51,12 @@ std::vector<CaseOnGrids> by_physics(const std::vector<MeasuredCase>& cases) {
   return groups;
 }
 
-std::string percent(std::optional<double> part) {
-  if (!part) return "-";
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%+.1f %%", 100 * *part);
-  return buffer.data();
+/// "+2.4 +- 1.4", in percent.
+std::string percent(const MeasuredValue& part) {
+  MeasuredValue percent = part;
+  if (percent.value) *percent.value *= 100;
+  if (percent.ci95) *percent.ci95 *= 100;
+  return (percent.value && *percent.value >= 0 ? "+" : "") + measured_text(percent, 1);
 }
 
 /// In the first column its name stands only beside the coarsest grid.
@@ -103,11 +103,13 @@ std::vector<MeasuredCase> finest_of_each(const std::vector<MeasuredCase>& cases)
   return finest;
 }
 
-std::optional<double> change(const MeasuredCase& coarser, const MeasuredCase& finer,
-                             const std::string& column) {
-  const auto before = coarser.value(column).value, now = finer.value(column).value;
-  if (!before || !now || *now == 0) return std::nullopt;
-  return (*now - *before) / *now;
+MeasuredValue change(const MeasuredCase& coarser, const MeasuredCase& finer, const std::string& column) {
+  const MeasuredValue before = coarser.value(column), now = finer.value(column);
+  if (!before.value || !now.value || *now.value == 0) return {};
+  const double ratio = *before.value / *now.value;
+  MeasuredValue part{1 - ratio, std::nullopt};
+  if (before.ci95 && now.ci95) part.ci95 = std::hypot(*before.ci95, ratio * *now.ci95) / std::abs(*now.value);
+  return part;
 }
 
 MeasuredValue extrapolated(const MeasuredCase& coarser, const MeasuredCase& finer,
@@ -131,7 +133,7 @@ void write_grid_convergence(std::ostream& out, const std::vector<MeasuredCase>& 
   if (groups.empty()) return;
   out << "\nWHAT THE GRID CHANGES\n"
       << wrapped(
-             "change: from the grid above, in parts of the finer value; extrapolated: to vanishing spacing "
+             "change: from the grid above, in percent of the finer value; extrapolated: to vanishing spacing "
              "from the two "
              "finest grids, with errors of second order; its half width joins their intervals and the "
              "distance to what "
@@ -139,7 +141,7 @@ void write_grid_convergence(std::ostream& out, const std::vector<MeasuredCase>& 
              kPageWidth)
       << "\n";
   std::vector<Row> rows = {
-      {"case", "grid", kConverging[0].heading, "change", kConverging[1].heading, "change"}};
+      {"case", "grid", kConverging[0].heading, "change [%]", kConverging[1].heading, "change [%]"}};
   for (const CaseOnGrids& group : groups) {
     for (std::size_t i = 0; i < group.size(); ++i)
       rows.push_back(row_of_grid(*group[i], i > 0 ? group[i - 1] : nullptr));

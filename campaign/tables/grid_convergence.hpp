@@ -20,9 +20,10 @@ using CaseOnGrids = std::vector<const MeasuredCase*>;
 /// Of each physical case the finest grid that has a result, or one without if none has.
 [[nodiscard]] std::vector<MeasuredCase> finest_of_each(const std::vector<MeasuredCase>& cases);
 
-/// (finer - coarser) / finer; empty where either has no value.
-[[nodiscard]] std::optional<double> change(const MeasuredCase& coarser, const MeasuredCase& finer,
-                                           const std::string& column);
+/// (finer - coarser) / finer, with the half width that follows from those of both, which are independent;
+/// without half width where an interval is missing, empty where a value is.
+[[nodiscard]] MeasuredValue change(const MeasuredCase& coarser, const MeasuredCase& finer,
+                                   const std::string& column);
 
 /// The value at vanishing spacing if the error fell with its square. The half width joins, as root of the sum
 /// of squares, what the two intervals amount to and the distance to the value if the error fell with the

@@ -48,11 +48,21 @@ TEST(GridConvergence, TheIntervalsOfBothGridsWidenTheLimit) {
   EXPECT_FALSE(extrapolated(coarser, without, "re_tau").ci95.has_value());
 }
 
+/// Of 1 - before / now, the two being independent.
+TEST(GridConvergence, AChangeIsAsUncertainAsTheValuesThatItComesFrom) {
+  const MeasuredCase coarser = on_grid("coarse", 100, {200, 5}), finer = on_grid("fine", 150, {210, 2});
+  EXPECT_NEAR(change(coarser, finer, "re_tau").ci95.value(), 200.0 / 210 * std::hypot(5.0 / 200, 2.0 / 210),
+              1e-12);
+  const MeasuredCase without = on_grid("fine", 150, {210, std::nullopt});
+  EXPECT_FALSE(change(coarser, without, "re_tau").ci95.has_value());
+  EXPECT_TRUE(change(coarser, without, "re_tau").value.has_value());
+}
+
 TEST(GridConvergence, GridsThatAreNearlyTheSameSayNothing) {
   const MeasuredCase coarser = on_grid("coarse", 100, {200, 5}), finer = on_grid("fine", 120, {210, 2});
   EXPECT_FALSE(extrapolated(coarser, finer, "re_tau").value.has_value());
-  EXPECT_NEAR(change(coarser, finer, "re_tau").value(), 10.0 / 210, 1e-15);
-  EXPECT_FALSE(change(coarser, finer, "delta_max").has_value());
+  EXPECT_NEAR(change(coarser, finer, "re_tau").value.value(), 10.0 / 210, 1e-15);
+  EXPECT_FALSE(change(coarser, finer, "delta_max").value.has_value());
 }
 
 TEST(GridConvergence, ADirectionThatIsNotRefinedSaysNothing) {
@@ -113,7 +123,7 @@ TEST_F(TwoGridsTest, ThePageShowsTheChangeFromGridToGrid) {
   EXPECT_THAT(page(), Not(HasSubstr("WHAT THE GRID CHANGES")));
   measure(fine, 205);
   EXPECT_THAT(page(), ContainsRegex("\nG=1 +48x32\\+8x48 +200.0 \\+- 2.0 +-\n"
-                                    " +72x48\\+12x72 +205.0 \\+- 2.0 +\\+2.4 % +- +-\n"
+                                    " +72x48\\+12x72 +205.0 \\+- 2.0 +\\+2.4 \\+- 1.4 +- +-\n"
                                     " +extrapolated +209.0 \\+- 7.2 +-\n"));
 }
 
