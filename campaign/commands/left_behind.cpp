@@ -4,9 +4,11 @@
 #include <map>
 #include <ostream>
 
+#include "campaign/commands/other_campaigns.hpp"
 #include "campaign/core/words.hpp"
 #include "campaign/observe/left_over.hpp"
 #include "campaign/observe/observe.hpp"
+#include "campaign/observe/removed_directories.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/runner/wording.hpp"
 #include "campaign/store/store.hpp"
@@ -34,21 +36,32 @@ double last_core_hours(const RunFiles& run, const std::string& case_id) {
 
 }  // namespace
 
-std::vector<LeftBehind> left_behind(const LoadedCampaign& loaded) {
+BesideTheCampaign beside_the_campaign(const LoadedCampaign& loaded) {
+  BesideTheCampaign beside;
+  beside.of_nobody = directories_without_a_case(loaded.campaign, loaded.folder);
+  beside.being_removed = unfinished_removals(loaded.folder);
+  const auto left = left_over_cases(loaded.campaign, loaded.folder);
+  if (left.empty()) return beside;
+  const OtherCampaigns others = other_campaigns(loaded);
+  beside.unreadable = others.unreadable;
   const auto hours = known_core_hours(loaded.folder);
-  std::vector<LeftBehind> found;
-  for (const CampaignCase& one : left_over_cases(loaded.campaign, loaded.folder)) {
+  for (const CampaignCase& one : left) {
     const RunFiles run = run_files(loaded.folder, one);
     const std::string& id = one.definition.id;
+    if (const auto other = others.asked_by.find(id); other != others.asked_by.end()) {
+      ++beside.of_others[other->second];
+      continue;
+    }
     const auto known = hours.find(id);
-    found.push_back({.label = one.definition.label,
-                     .case_id = id,
-                     .directory = one.directory,
-                     .state = std::string(word_of(observe_files(one, run).state)),
-                     .core_hours = known != hours.end() ? known->second : last_core_hours(run, id),
-                     .reason = found.size() < kMostExplained ? why_left_over(one, loaded.campaign) : ""});
+    const bool explained = beside.cases.size() < kMostExplained;
+    beside.cases.push_back({.label = one.definition.label,
+                            .case_id = id,
+                            .directory = one.directory,
+                            .state = std::string(word_of(observe_files(one, run).state)),
+                            .core_hours = known != hours.end() ? known->second : last_core_hours(run, id),
+                            .reason = explained ? why_left_over(one, loaded.campaign) : ""});
   }
-  return found;
+  return beside;
 }
 
 void print_left_behind(std::ostream& out, const LoadedCampaign& loaded,

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <iosfwd>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,16 @@ struct LeftBehind {
   std::string reason;  ///< "like G=1, but statistics.start_time 0.5 instead of 1"
 };
 
-[[nodiscard]] std::vector<LeftBehind> left_behind(const LoadedCampaign& loaded);
+/// What lies beside the cases of a campaign in its folder.
+struct BesideTheCampaign {
+  std::vector<LeftBehind> cases;         ///< that no campaign file asks for
+  std::map<std::string, int> of_others;  ///< cases that another campaign file asks for, by its name
+  std::vector<std::string> unreadable;   ///< other campaign files; theirs may be among `cases`
+  std::vector<std::string> of_nobody;    ///< directories without a readable case file
+  std::vector<std::filesystem::path> being_removed;  ///< what a removal that was killed has left
+};
+
+[[nodiscard]] BesideTheCampaign beside_the_campaign(const LoadedCampaign& loaded);
 
 /// A sentence and a line for each of the first ones; nothing where none is left behind.
 void print_left_behind(std::ostream& out, const LoadedCampaign& loaded, const std::vector<LeftBehind>& cases);

@@ -68,7 +68,7 @@ PlannedCampaign plan_all(const LoadedCampaign& loaded) {
     planned.cases[i].job_minutes = job_minutes(*launcher, observations[i], planned.cases[i].decision.outlook);
   }
   planned.wall_seconds = remaining_seconds(campaign, observations, {}, campaign.execution.cores);
-  planned.left_behind = left_behind(loaded);
+  planned.left_behind = beside_the_campaign(loaded).cases;
   return planned;
 }
 

@@ -93,7 +93,7 @@ ExitStatus run_with_store(const LoadedCampaign& loaded, const RunOptions& option
     progress.event(loaded.campaign.name + ": " + counted(loaded.campaign.cases.size(), "case") + " in " +
                    loaded.folder.string());
     if (const auto left = left_over_cases(loaded.campaign, loaded.folder); !left.empty()) {
-      progress.event(counted(left.size(), "case") + " of earlier versions of the campaign file left out; " +
+      progress.event(counted(left.size(), "case") + " that this campaign file does not ask for left out; " +
                      softwall_command("clean", loaded.named) + " lists them");
       record_left_over(store, loaded.folder, left, *launcher);
     }

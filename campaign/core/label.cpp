@@ -11,7 +11,6 @@ namespace softwall::campaign {
 namespace {
 
 constexpr std::size_t kLongestLabel = 80;
-constexpr std::size_t kIdDigits = 8;  // of a case id, in the names of directories and of labels that need it
 
 /// The paper's letter where there is one.
 std::string short_name(const std::string& parameter) {

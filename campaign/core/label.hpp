@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <unordered_set>
@@ -11,6 +12,9 @@
 /// Labels are what users call the cases of a campaign: distinct, short, and kept for as long as a case is
 /// there. They are never identity.
 namespace softwall::campaign {
+
+/// Of a case id, in the names of directories and of labels that need it.
+inline constexpr std::size_t kIdDigits = 8;
 
 /// "G=0.5_mu=10" from {{"G", 0.5}, {"viscosity_ratio", 10}}, numbers with all their digits; of any length.
 [[nodiscard]] std::string label_of(const std::vector<std::pair<std::string, nlohmann::json>>& parameters);

@@ -5,6 +5,8 @@
 #include <set>
 #include <unordered_set>
 
+#include "campaign/core/label.hpp"
+#include "campaign/observe/removed_directories.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/run_directory/run_files.hpp"
 
@@ -30,7 +32,8 @@ CaseDirectories existing_directories(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder / "cases", none)) {
     const std::string name = entry.path().filename();
     if (name.size() <= kIdDigits + 1 || name[name.size() - kIdDigits - 1] != '-') continue;
-    if (entry.is_directory(none)) found.emplace(name.substr(name.size() - kIdDigits), "cases/" + name);
+    if (entry.is_directory(none) && !is_being_removed(entry.path()))
+      found.emplace(name.substr(name.size() - kIdDigits), "cases/" + name);
   }
   return found;
 }

@@ -10,8 +10,6 @@
 /// The run directories that a campaign's folder holds, by their names "cases/<label>-<first 8 of the id>".
 namespace softwall::campaign {
 
-inline constexpr std::size_t kIdDigits = 8;  ///< of a case id, at the end of its directory's name
-
 /// Directory by the digits of the id in its name.
 using CaseDirectories = std::unordered_multimap<std::string, std::string>;
 

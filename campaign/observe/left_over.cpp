@@ -10,6 +10,7 @@
 #include "campaign/core/label.hpp"
 #include "campaign/core/parameters.hpp"
 #include "campaign/observe/observe.hpp"
+#include "campaign/observe/removed_directories.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "solver/case/bad_input.hpp"
 #include "solver/case/json_text.hpp"
@@ -88,24 +89,36 @@ std::string varied_as_in(const Campaign& campaign, const CampaignCase& left_over
   return values.dump();
 }
 
+/// Below "cases", those that no case of the campaign has, in the order of their names.
+std::vector<std::string> directories_of_nobody(const Campaign& campaign,
+                                               const std::filesystem::path& folder) {
+  std::set<std::string> taken;
+  for (const CampaignCase& one : campaign.cases) taken.insert(one.directory);
+  std::vector<std::string> found;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "cases", none)) {
+    std::string directory = "cases/" + entry.path().filename().string();
+    if (!taken.contains(directory) && entry.is_directory(none) && !is_being_removed(entry.path()))
+      found.push_back(std::move(directory));
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
 }  // namespace
 
 std::vector<CampaignCase> left_over_cases(const Campaign& campaign, const std::filesystem::path& folder) {
-  std::set<std::string> directories, ids, precursors, starting;
+  std::set<std::string> ids, precursors, starting;
   const auto note_start = [&](const CampaignCase& one) {
     starting.insert(one.precursor_id);
     if (one.definition.physics.initial.type == InitialType::kPrecursor) precursors.insert(one.precursor_id);
   };
   for (const CampaignCase& one : campaign.cases) {
-    directories.insert(one.directory);
     ids.insert(one.definition.id);
     note_start(one);
   }
   std::vector<CampaignCase> found;
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "cases", none)) {
-    const std::string directory = "cases/" + entry.path().filename().string();
-    if (directories.contains(directory) || !entry.is_directory(none)) continue;
+  for (const std::string& directory : directories_of_nobody(campaign, folder)) {
     auto one = case_in(folder, directory);
     if (!one || ids.contains(one->definition.id)) continue;
     note_start(*one);
@@ -120,6 +133,13 @@ std::vector<CampaignCase> left_over_cases(const Campaign& campaign, const std::f
   std::ranges::sort(found, [](const CampaignCase& a, const CampaignCase& b) {
     return std::pair(!a.is_precursor, a.directory) < std::pair(!b.is_precursor, b.directory);
   });
+  return found;
+}
+
+std::vector<std::string> directories_without_a_case(const Campaign& campaign,
+                                                    const std::filesystem::path& folder) {
+  std::vector<std::string> found = directories_of_nobody(campaign, folder);
+  std::erase_if(found, [&](const std::string& directory) { return case_in(folder, directory).has_value(); });
   return found;
 }
 

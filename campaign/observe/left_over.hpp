@@ -15,6 +15,11 @@ namespace softwall::campaign {
 [[nodiscard]] std::vector<CampaignCase> left_over_cases(const Campaign& campaign,
                                                         const std::filesystem::path& folder);
 
+/// Directories among those of the cases, "cases/notes", that are not of the campaign and have no readable
+/// case file, so that nobody knows whose they are; in the order of their names.
+[[nodiscard]] std::vector<std::string> directories_without_a_case(const Campaign& campaign,
+                                                                  const std::filesystem::path& folder);
+
 /// In what a left-over case differs from the case of the campaign that is most like it, for users:
 /// "like G=1, but statistics.start_time 0.5 instead of 1". Empty when the campaign has no case of its kind.
 [[nodiscard]] std::string why_left_over(const CampaignCase& left_over, const Campaign& campaign);

@@ -162,11 +162,32 @@ class RealUse(EndToEndTest):
         changed_physics = dict(RIGID["physics"], statistics={"start_time": 0.5, "block_length": 0.25, "interval_steps": 2})
         campaign.write(changed(RIGID, physics=changed_physics))
         self.assertEqual(campaign.call("clean", "--remove").returncode, 0)
-        self.assertEqual(list(campaign.folder.glob("cases/*")), [])
+        self.assertEqual([each.name for each in campaign.folder.glob("cases/*")], ["notes"])
+        (campaign.folder / "cases" / "notes").rmdir()
         (row,) = campaign.query("SELECT state, in_campaign FROM results_all")
         self.assertEqual((row["state"], row["in_campaign"]), ("new", 1))
         self.assertEqual(campaign.call("verify").returncode, 0)
 
+        (case,) = campaign.folder.glob("cases/*")
+
+        pilot = campaign.folder / "pilot.json"  # asks for what the campaign no longer asks for
+        pilot.write_text(json.dumps(RIGID))
+        self.assertIn("Kept for pilot.json, which asks for them: 1 case.", campaign.call("clean").stdout)
+        self.assertNotIn("Left behind", campaign.call("plan").stdout)
+        self.assertIn("0 cases removed", campaign.call("clean", "--remove").stdout)
+        pilot.write_text(json.dumps(RIGID)[:-1])
+        refused = campaign.call("clean", "--remove")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("pilot.json: a campaign file that cannot be read", refused.stderr)
+        self.assertTrue((case / "case.json").exists())
+        pilot.unlink()
+
+        (campaign.folder / "cases" / "notes").mkdir()
+        rest = case.with_name(".removed-" + case.name)  # of a removal that was killed
+        shutil.copytree(case, rest)
+        listed = campaign.call("clean").stdout
+        self.assertIn(f"{rest.name}: the rest of a case", listed)
+        self.assertIn("cases/notes: without a case.json", listed)
     def test_old_checkpoints_of_a_finished_case_may_be_removed(self):
         campaign = self.campaign(changed(RIGID, run={"end_time": 1, "checkpoint_steps": 2, "keep_checkpoints": 3}))
         self.run_to_end(campaign)

@@ -6,6 +6,7 @@
 
 #include "campaign/observe/history.hpp"
 #include "campaign/observe/observe.hpp"
+#include "campaign/observe/removed_directories.hpp"
 #include "campaign/observe/run_directory.hpp"
 #include "tests/campaign/core/examples.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -103,6 +104,24 @@ TEST_F(LeftOverTest, ADirectoryWithoutACaseIsNone) {
   folder_.write("cases/notes-01234567/case.json", "{");
   folder_.write("cases/readme", "");
   EXPECT_TRUE(left_over_cases(loaded(document_), folder_.path()).empty());
+  EXPECT_EQ(directories_without_a_case(loaded(document_), folder_.path()),
+            std::vector<std::string>{"cases/notes-01234567"});
+}
+
+/// A softwall that is killed while it removes a case leaves a part of it, maybe with its case file.
+TEST_F(LeftOverTest, ADirectoryThatIsBeingRemovedIsNoCase) {
+  const std::string directory = loaded(document_).cases.back().directory;
+  const auto was = folder_.path() / directory;
+  const auto doomed = was.parent_path() / (".removed-" + was.filename().string());
+  std::filesystem::rename(was, doomed);
+  EXPECT_TRUE(left_over_cases(loaded(document_), folder_.path()).empty());
+  EXPECT_TRUE(directories_without_a_case(loaded(document_), folder_.path()).empty());
+  EXPECT_EQ(loaded(document_).cases.back().directory, directory);
+  EXPECT_EQ(unfinished_removals(folder_.path()), std::vector{doomed});
+  prepare(document_);
+  remove_run_directory(was);
+  EXPECT_FALSE(std::filesystem::exists(was));
+  EXPECT_TRUE(unfinished_removals(folder_.path()).empty());
 }
 
 TEST_F(LeftOverTest, ACaseKeepsTheLabelItWasRunUnder) {
