@@ -39,11 +39,12 @@ struct PlannedCampaign {
   std::vector<LeftBehind> left_behind;
 };
 
-std::optional<int> job_minutes(const Launcher& launcher, const Observation& seen, Outlook outlook) {
+std::optional<int> job_minutes(const Launcher& launcher, const CampaignCase& one, const Observation& seen,
+                               Outlook outlook) {
   const bool is_next =
       outlook == Outlook::kStart || outlook == Outlook::kResume || outlook == Outlook::kWaiting;
   LaunchRequest request;
-  request.needed_seconds = measured_seconds_left(seen);
+  request.needed_seconds = measured_seconds_left(one, seen);
   return is_next ? launcher.job_minutes(request) : std::nullopt;
 }
 
@@ -65,7 +66,8 @@ PlannedCampaign plan_all(const LoadedCampaign& loaded) {
   for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
     const std::string& why = planned.ready.blocked[i];
     if (!why.empty()) planned.cases[i].decision = {campaign.cases[i].definition.id, Outlook::kBlocked, why};
-    planned.cases[i].job_minutes = job_minutes(*launcher, observations[i], planned.cases[i].decision.outlook);
+    planned.cases[i].job_minutes =
+        job_minutes(*launcher, campaign.cases[i], observations[i], planned.cases[i].decision.outlook);
   }
   planned.wall_seconds = remaining_seconds(campaign, observations, {}, campaign.execution.cores);
   planned.left_behind = beside_the_campaign(loaded).cases;

@@ -88,6 +88,7 @@ struct Observation {
   std::string needs_person;
   bool retry_allowed = true;      ///< false: the solver said that trying again cannot help (bad case)
   double seconds_per_step = 0.0;  ///< wall clock, measured; 0: not known
+  int measured_ranks = 0;         ///< on which that was measured; 0: those of the case
 };
 
 }  // namespace softwall::campaign

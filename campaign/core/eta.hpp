@@ -17,8 +17,9 @@ namespace softwall::campaign {
                                        const std::map<std::string, Status>& working, int cores);
 
 /// Wall-clock seconds that a case takes to its end time, from its newest checkpoint on: as many steps as its
-/// mean step so far makes, each as long as those of its last attempt. Empty before it has made any.
-[[nodiscard]] std::optional<double> measured_seconds_left(const Observation& seen);
+/// mean step so far makes, each of as many core-seconds as those of its last attempt. Empty before it has
+/// made any.
+[[nodiscard]] std::optional<double> measured_seconds_left(const CampaignCase& one, const Observation& seen);
 
 /// What was measured in a campaign.
 class MeasuredSpeed {

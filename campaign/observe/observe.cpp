@@ -62,6 +62,7 @@ void apply_summary(const Summary& summary, const CampaignCase& campaign_case, Ob
   observation.time = std::max(observation.time, summary.time);
   if (summary.attempt_steps > 0) {
     observation.seconds_per_step = summary.wall_seconds / static_cast<double>(summary.attempt_steps);
+    observation.measured_ranks = summary.ranks;
   }
   if (is_finished(summary, campaign_case)) {
     observation.state = CaseState::kFinished;
@@ -188,6 +189,7 @@ Observation observe(const CampaignCase& campaign_case, const RunFiles& run, cons
 
 std::vector<Observation> observe_all(const std::vector<const CampaignCase*>& cases,
                                      const std::filesystem::path& folder, const Launcher& launcher) {
+    observation.measured_ranks = status->ranks;
   std::vector<RunFiles> runs;
   for (const CampaignCase* one : cases) runs.push_back(run_files(folder, *one));
   const auto seen = presences(runs, launcher);

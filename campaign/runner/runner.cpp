@@ -157,7 +157,7 @@ void Runner::launch(const CampaignCase& one, const Action& action, const Ladder&
                               .attempt = attempt,
                               .ranks = action.ranks,
                               .wall_seconds = book_.campaign().execution.walltime_seconds,
-                              .needed_seconds = measured_seconds_left(book_.seen(one))};
+                              .needed_seconds = measured_seconds_left(one, book_.seen(one))};
   const auto note = [&](const Handle& handle) {
     write_run_record(
         run,

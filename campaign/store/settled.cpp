@@ -28,6 +28,7 @@ Observation settled_observation(const CampaignCase& one, const CaseRecord& known
   seen.attempts = known.attempts;
   seen.attempts_without_progress = known.attempts_without_progress;
   seen.seconds_per_step = known.seconds_per_step;
+  seen.measured_ranks = known.measured_ranks;
   return seen;
 }
 

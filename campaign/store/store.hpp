@@ -31,6 +31,7 @@ struct CaseRecord {
   double reached_time = 0.0;      ///< furthest time of an attempt that finished [h/U_b]
   std::int64_t reached_step = 0;  ///< and its step
   double seconds_per_step = 0.0;  ///< wall clock of the newest attempt; 0: not known
+  int measured_ranks = 0;         ///< on which that was measured
   std::string state_since;        ///< ISO 8601 UTC
   std::string stale_reason;       ///< empty: not stale
   int attempts = 0;

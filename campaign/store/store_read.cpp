@@ -27,8 +27,8 @@ CaseRecord case_in(const Statement& row) {
 }
 
 constexpr std::string_view kAttempts =
-    "SELECT case_id, attempt, ended IS NOT NULL, outcome, step, time, wall_seconds, attempt_steps"
-    " FROM attempts";
+    "SELECT case_id, attempt, ended IS NOT NULL, outcome, step, time, wall_seconds, attempt_steps,"
+    " ranks FROM attempts";
 
 bool is_fault_of_the_case(const std::string& outcome) {
   constexpr std::array<std::string_view, 5> kOthersFault = {"finished", "interrupted", "not started", "lost",
@@ -50,6 +50,7 @@ class AttemptTally {
     record_.seconds_per_step = row.integer(7) != 0 ? row.real(6) / static_cast<double>(row.integer(7)) : 0.0;
     if (outcome == "finished") {
       record_.reached_time = std::max(record_.reached_time, row.real(5));
+    record_.measured_ranks = static_cast<int>(row.integer(8));
       record_.reached_step = std::max(record_.reached_step, step);
     }
     if (step > furthest_) {

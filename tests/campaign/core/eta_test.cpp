@@ -56,6 +56,14 @@ TEST_F(Eta, OfALineIsAllOfItsCasesHoweverManyCoresThereAre) {
   EXPECT_NEAR(left(1000), seconds_of(0) + line, 1e-6 * line);
 }
 
+TEST_F(Eta, PrecursorsShareTheCoresAsOtherCasesDo) {
+  for (CampaignCase& one : campaign_.cases) one.is_precursor = true;
+  double all = 0;
+  for (std::size_t i = 0; i < 5; ++i) all += seconds_of(i) * campaign_.cases[i].ranks;
+  EXPECT_NEAR(left(1), all, 1e-6 * all);
+  EXPECT_NEAR(left(2), std::max(all / 2, seconds_of(0)), 1e-6 * all);
+}
+
 TEST_F(Eta, CountsNothingForWhatWaitsForSomebody) {
   seen_[0].attempts_without_progress = 2;  // the precursor: nothing starts without it
   EXPECT_EQ(left(1), 0);
@@ -83,14 +91,14 @@ TEST_F(Eta, CountsFromWhereACaseHasGotTo) {
 TEST_F(Eta, OfACaseThatHasRunIsWhatWasMeasuredOfItself) {
   Observation seen;
   seen.end_time = 10;
-  EXPECT_FALSE(measured_seconds_left(seen));
+  EXPECT_FALSE(measured_seconds_left(campaign_.cases[1], seen));
   seen.step = 100;
   seen.time = 4;
-  EXPECT_FALSE(measured_seconds_left(seen)) << "its speed is not known";
+  EXPECT_FALSE(measured_seconds_left(campaign_.cases[1], seen)) << "its speed is not known";
   seen.seconds_per_step = 2;
-  EXPECT_DOUBLE_EQ(measured_seconds_left(seen).value(), 150 * 2.0);
+  EXPECT_DOUBLE_EQ(measured_seconds_left(campaign_.cases[1], seen).value(), 150 * 2.0);
   seen.time = 11;
-  EXPECT_EQ(measured_seconds_left(seen), 0.0);
+  EXPECT_EQ(measured_seconds_left(campaign_.cases[1], seen), 0.0);
 }
 
 TEST_F(Eta, BelievesARunningSolver) {
@@ -113,6 +121,35 @@ TEST_F(Eta, LearnsTheSpeedFromCasesOfTheSameKind) {
   };
   EXPECT_NEAR(speed(4), 1000 * campaign_.cases[1].ranks, 1e-6);
   EXPECT_EQ(speed(0), default_ns_per_cell_step(campaign_.cases[0].definition.physics));
+}
+
+/// The campaign file may ask for other ranks by now.
+TEST_F(Eta, CountsTheRanksThatASpeedWasMeasuredOn) {
+  seen_[1].seconds_per_step = 2;
+  seen_[1].measured_ranks = 4 * campaign_.cases[1].ranks;
+  const Physics& physics = campaign_.cases[1].definition.physics;
+  const double on_four = MeasuredSpeed(campaign_, seen_).ns_per_cell_step(physics);
+  seen_[1].measured_ranks = 0;
+  EXPECT_DOUBLE_EQ(on_four, 4 * MeasuredSpeed(campaign_, seen_).ns_per_cell_step(physics));
+  Observation seen;
+  seen.end_time = 10;
+  seen.time = 4;
+  seen.step = 100;
+  seen.seconds_per_step = 2;
+  seen.measured_ranks = 3 * campaign_.cases[1].ranks;
+  EXPECT_DOUBLE_EQ(measured_seconds_left(campaign_.cases[1], seen).value(), 150 * 2.0 * 3);
+}
+
+/// It takes as many cores as it works on.
+TEST_F(Eta, CountsTheRanksOfARunningSolver) {
+  for (std::size_t i = 0; i < 3; ++i) finish(i);
+  Status status;
+  status.time = 40;
+  status.dt = 0.1;
+  status.seconds_per_step = 2;
+  status.ranks = 2;
+  working_[seen_[3].case_id] = working_[seen_[4].case_id] = status;
+  EXPECT_NEAR(left(2), 2 * (50 - 40) / 0.1 * 2, 1e-6);
 }
 
 }  // namespace
