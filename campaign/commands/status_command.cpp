@@ -35,12 +35,14 @@ struct Snapshot {
   std::vector<Observation> observations;
   std::map<std::string, Status> working;
   std::optional<std::string> owner;  ///< the softwall that runs the campaign
+  bool owner_is_unknown = false;     ///< there may be one
   double seconds_left = 0;
 };
 
 Snapshot look(const LoadedCampaign& loaded) {
   Snapshot now;
   now.owner = living_owner(loaded.folder);
+  now.owner_is_unknown = owner_is_unknown(loaded.folder);
   now.observations = observe_with_history(loaded, *make_launcher(loaded.campaign.execution));
   for (std::size_t i = 0; i < now.observations.size(); ++i) {
     if (!now.observations[i].running) continue;
@@ -98,6 +100,7 @@ void print_json(const LoadedCampaign& loaded, const Snapshot& now, bool why) {
   const nlohmann::ordered_json status = {
       {"campaign", loaded.campaign.name},
       {"runner", now.owner ? nlohmann::json(*now.owner) : nlohmann::json()},
+      {"runner_known", !now.owner_is_unknown},
       {"seconds_left", now.seconds_left},
       {"cases", cases}};
   std::cout << status.dump(2) << std::endl;
@@ -161,6 +164,9 @@ void print_text(const LoadedCampaign& loaded, const Snapshot& now, const TextLay
             << describe_progress(loaded.campaign, now.observations, now.working, now.seconds_left) << "\n";
   if (now.owner) {
     std::cout << "Run by " << *now.owner << "." << std::endl;
+  } else if (now.owner_is_unknown) {
+    std::cout << "Whether anybody runs it cannot be asked: its campaign.lock belongs to another user."
+              << std::endl;
   } else if (now.seconds_left > 0) {
     std::cout << "Nobody runs it now. To go on:  " << softwall_command("resume", loaded.named) << std::endl;
   }
@@ -196,7 +202,8 @@ ExitStatus watch_status(const std::filesystem::path& path, const StatusOptions& 
     print_text(loaded, now, layout);
     const bool over = !now.owner && (seen_running || now.seconds_left <= 0);
     if (over || !std::cout) return ExitStatus::kDone;
-    if (!now.owner) std::cout << "Waiting for a run to begin; Ctrl-C ends the waiting." << std::endl;
+    if (!now.owner && !now.owner_is_unknown)
+      std::cout << "Waiting for a run to begin; Ctrl-C ends the waiting." << std::endl;
     seen_running = seen_running || now.owner.has_value();
     std::this_thread::sleep_for(std::chrono::seconds(2));
   }

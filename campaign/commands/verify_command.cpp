@@ -219,7 +219,7 @@ std::vector<const CampaignCase*> choose(const Campaign& campaign, const std::opt
   }
   if (!cases.empty()) return cases;
   const auto near = suggestion(*chosen, labels);
-  throw BadInput(campaign.name, {{"", "no case " + printable(*chosen),
+  throw BadInput(campaign.name, {{"", "no case " + printable_excerpt(*chosen),
                                   near ? "perhaps " + *near : "a label, or the beginning of a case id"}});
 }
 
@@ -231,7 +231,8 @@ ExitStatus verify_campaign(const std::filesystem::path& path, const std::optiona
   const auto cases = choose(loaded.campaign, chosen);
   std::vector<RunFiles> runs;
   for (const CampaignCase* one : cases) runs.push_back(run_files(loaded.folder, *one));
-  const bool owned = living_owner(loaded.folder).has_value();  // who starts one case while we look at another
+  // Whoever runs it starts one case while we look at another.
+  const bool owned = living_owner(loaded.folder).has_value() || owner_is_unknown(loaded.folder);
   const auto busy = occupied(runs, *make_launcher(loaded.campaign.execution));
   Verification verification(loaded, findings);
   for (std::size_t i = 0; i < cases.size(); ++i) verification.check(*cases[i], runs[i], owned || busy[i]);

@@ -88,6 +88,16 @@ bool may_be_of(const std::filesystem::path& directory, const std::string& case_i
   }
 }
 
+/// What the solver's lock adds where its launcher knows of no process. Of another user's solver only its own
+/// report of its end can be read.
+Presence presence_inside(const RunFiles& run, int attempt) {
+  const LockState lock = lock_state(run.lock());
+  if (lock == LockState::kHeld) return Presence::kRunning;
+  if (lock == LockState::kFree) return Presence::kGone;
+  const auto summary = read_summary(run, "");
+  return summary && summary->attempt >= attempt ? Presence::kGone : Presence::kUnknown;
+}
+
 }  // namespace
 
 bool is_finished(const Summary& summary, const CampaignCase& campaign_case) {
@@ -101,18 +111,20 @@ RunFiles run_files(const std::filesystem::path& folder, const CampaignCase& camp
 std::vector<Presence> presences(const std::vector<RunFiles>& runs, const Launcher& launcher) {
   if (runs.empty()) return {};
   std::vector<AttemptPlace> places;
+  std::vector<int> attempts;
   std::vector<std::size_t> there;  // nobody works in a directory that has not been made
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!std::filesystem::exists(runs[i].directory)) continue;
     const auto record = read_run_record(runs[i]);
     places.push_back({runs[i].directory, record ? record->handle : Handle()});
+    attempts.push_back(record ? record->attempt : 0);
     there.push_back(i);
   }
   const auto seen = launcher.presences(places);
   std::vector<Presence> found(runs.size(), Presence::kGone);
   for (std::size_t k = 0; k < there.size(); ++k) {
-    const bool inside = seen[k] == Presence::kGone && lock_is_held(runs[there[k]].lock());
-    found[there[k]] = inside ? Presence::kRunning : seen[k];
+    const bool gone = seen[k] == Presence::kGone;
+    found[there[k]] = gone ? presence_inside(runs[there[k]], attempts[k]) : seen[k];
   }
   return found;
 }
@@ -177,6 +189,7 @@ Observation observe_work(const CampaignCase& campaign_case, const RunFiles& run,
   observation.reason = remark_on(presence);  // what it was spoke of an end that is over
   if (const auto status = read_status(run, observation.case_id)) {
     observation.seconds_per_step = status->seconds_per_step;
+    observation.measured_ranks = status->ranks;
   }
   return observation;
 }
@@ -189,7 +202,6 @@ Observation observe(const CampaignCase& campaign_case, const RunFiles& run, cons
 
 std::vector<Observation> observe_all(const std::vector<const CampaignCase*>& cases,
                                      const std::filesystem::path& folder, const Launcher& launcher) {
-    observation.measured_ranks = status->ranks;
   std::vector<RunFiles> runs;
   for (const CampaignCase* one : cases) runs.push_back(run_files(folder, *one));
   const auto seen = presences(runs, launcher);

@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/system/file_system.hpp"
 #include "campaign/system/own_file.hpp"
 #include "campaign/system/process_identity.hpp"
 #include "solver/run_directory/build_info.hpp"
@@ -110,6 +111,10 @@ std::optional<std::string> living_owner(const std::filesystem::path& folder) {
   if (!file || flock(file.get(), LOCK_SH | LOCK_NB) == 0 || errno != EWOULDBLOCK) return std::nullopt;
   const auto owner = read_owner(file.get());
   return owner ? owner->describe() : "another softwall";
+}
+
+bool owner_is_unknown(const std::filesystem::path& folder) {
+  return lock_state(lock_file(folder)) == LockState::kUnknown;
 }
 
 }  // namespace softwall::campaign

@@ -36,4 +36,7 @@ class CampaignLock {
 /// seen from here. Changes nothing; asking takes a shared lock for a moment, which CampaignLock waits for.
 [[nodiscard]] std::optional<std::string> living_owner(const std::filesystem::path& folder);
 
+/// The lock belongs to another user, whom alone it tells who works on the campaign.
+[[nodiscard]] bool owner_is_unknown(const std::filesystem::path& folder);
+
 }  // namespace softwall::campaign

@@ -56,9 +56,13 @@ std::string change_time(const std::filesystem::path& path) {
   return utc_text(std::chrono::floor<std::chrono::milliseconds>(since_1970));
 }
 
-bool lock_is_held(const std::filesystem::path& file) {
-  const FileDescriptor lock(open(file.c_str(), O_RDONLY | O_CLOEXEC));
-  return lock && flock(lock.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+LockState lock_state(const std::filesystem::path& file) {
+  const FileDescriptor lock(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+  if (!lock) return errno == EACCES ? LockState::kUnknown : LockState::kFree;
+  const bool held = flock(lock.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  return held ? LockState::kHeld : LockState::kFree;
 }
+
+bool lock_is_held(const std::filesystem::path& file) { return lock_state(file) == LockState::kHeld; }
 
 }  // namespace softwall::campaign

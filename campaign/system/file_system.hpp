@@ -23,7 +23,13 @@ enum class JournalMode {
 /// nobody can set, unlike that of modification. Empty when it is not there.
 [[nodiscard]] std::string change_time(const std::filesystem::path& path);
 
-/// Whether any process holds the lock (flock) of a file; false where there is no such file.
+enum class LockState {
+  kFree,    ///< also where there is no such file
+  kHeld,    ///< by any process
+  kUnknown  ///< nobody here may ask: the file belongs to another user
+};
+/// Of the lock (flock) of a file.
+[[nodiscard]] LockState lock_state(const std::filesystem::path& file);
 [[nodiscard]] bool lock_is_held(const std::filesystem::path& file);
 
 }  // namespace softwall::campaign

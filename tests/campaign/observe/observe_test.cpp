@@ -11,6 +11,7 @@
 #include "tests/campaign/observe/run_directory_files.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/without_permission.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -101,6 +102,22 @@ TEST_F(ObserveTest, AHeldSolverLockMeansRunning) {
   close(lock);
   EXPECT_FALSE(look().running);
   EXPECT_EQ(look().reason, "ended without a word");
+}
+
+/// Whether it still works nobody else may ask; that it has ended it says itself.
+TEST_F(ObserveTest, OfAnotherUsersSolverOnlyItsReportIsBelieved) {
+  std::filesystem::permissions(folder_.path(), std::filesystem::perms(0755));
+  test::write_checkpoint(run_, id_, 10, 1.0);
+  write_run_record(run_, {.case_id = id_, .attempt = 1, .handle = "", .host = "there", .started = ""});
+  folder_.write(run_.lock(), "");
+  {
+    const test::WithoutPermission somebody_else(run_.lock());
+    EXPECT_EQ(look().presence, Presence::kUnknown);
+    EXPECT_EQ(look().state, CaseState::kRunning);
+  }
+  test::write_summary(run_, id_, 1, "interrupted", 10, 1.0);
+  const test::WithoutPermission somebody_else(run_.lock());
+  EXPECT_EQ(look().state, CaseState::kInterrupted);
 }
 
 TEST_F(ObserveTest, ACaseKeepsItsDirectoryWhenItsLabelChanges) {

@@ -17,6 +17,7 @@
 #include "solver/run_directory/build_info.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/without_permission.hpp"
 
 namespace softwall::campaign {
 namespace {
@@ -132,6 +133,16 @@ TEST(CampaignLock, WhoWaitedForARemovedFileTakesTheOneThatIsThere) {
   first->leave_no_trace();
   first.reset();
   waiting.join();
+}
+
+TEST(CampaignLock, OfAnotherUserTellsNobodyWhoHoldsIt) {
+  const test::TemporaryFolder folder;
+  EXPECT_FALSE(owner_is_unknown(folder.path()));
+  const CampaignLock lock(folder.path());
+  EXPECT_FALSE(owner_is_unknown(folder.path()));
+  const test::WithoutPermission nobody(folder.path() / "campaign.lock");
+  EXPECT_TRUE(owner_is_unknown(folder.path()));
+  EXPECT_FALSE(living_owner(folder.path()).has_value());
 }
 
 TEST(CampaignLock, DiesWithItsHolder) {

@@ -1,8 +1,14 @@
 #include "campaign/system/file_system.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 
 #include <system_error>
+
+#include "solver/case/file_descriptor.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/without_permission.hpp"
 
 namespace softwall::campaign::tests {
 namespace {
@@ -20,6 +26,21 @@ TEST(JournalModeTest, TheLogIsForKnownLocalDisksOnly) {
   }
   EXPECT_THROW((void)journal_mode_for("/no/such/place"), std::system_error);
   EXPECT_EQ(journal_mode_for("/proc"), JournalMode::kRollback);
+}
+
+TEST(LockState, OfAFileOfAnotherUserIsUnknown) {
+  const test::TemporaryFolder folder;
+  folder.write("lock", "");
+  const auto file = folder.path() / "lock";
+  EXPECT_EQ(lock_state(file), LockState::kFree);
+  EXPECT_EQ(lock_state(folder.path() / "none"), LockState::kFree);
+  {
+    const FileDescriptor holder(open(file.c_str(), O_RDONLY | O_CLOEXEC));
+    ASSERT_EQ(flock(holder.get(), LOCK_EX), 0);
+    EXPECT_EQ(lock_state(file), LockState::kHeld);
+  }
+  const test::WithoutPermission nobody(file);
+  EXPECT_EQ(lock_state(file), LockState::kUnknown);
 }
 
 }  // namespace
