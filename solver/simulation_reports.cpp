@@ -27,6 +27,7 @@ void Simulation::write_status() {
     s.dt_limit = limit == "convection" ? "advection" : limit;
     s.seconds_per_step = pace_.seconds_per_step();
     s.checkpoint_step = checkpoint_step_;
+    s.wall_seconds = output::Timer::seconds_since(options_.started);
     output::write_status(options_.files, s);
   } catch (const std::system_error& error) {
     say(std::string("cannot write the status: ") + error.what());

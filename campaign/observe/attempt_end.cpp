@@ -69,6 +69,14 @@ AttemptEnd end_from_summary(const Summary& summary, const CampaignCase& campaign
   return end;
 }
 
+/// What an attempt that left no summary had taken when it last told its progress, about a second before its
+/// end.
+std::optional<double> wall_seconds_told(const RunFiles& run, const std::string& case_id, int attempt) {
+  const auto status = read_status(run, case_id);
+  if (!status || status->attempt != attempt || status->wall_seconds <= 0) return std::nullopt;
+  return status->wall_seconds;
+}
+
 }  // namespace
 
 ExitMeaning meaning_of(int exit_code) {
@@ -95,6 +103,7 @@ AttemptEnd describe_end(const CampaignCase& campaign_case, const RunFiles& run, 
     end.outcome = AttemptOutcome::kLost;
     end.reason = "ended while no softwall watched it";
   }
+  if (!end.wall_seconds) end.wall_seconds = wall_seconds_told(run, id, attempt);
   if (exit_code) end.exit_code = exit_code;
   if (!end.step) {
     const Observation left = observe_files(campaign_case, run);

@@ -20,7 +20,8 @@ void to_json(nlohmann::json& json, const Status& status) {
           {"dt_limit", status.dt_limit},
           {"seconds_per_step", status.seconds_per_step},
           {"checkpoint_step", status.checkpoint_step},
-          {"updated", status.updated}};
+          {"updated", status.updated},
+          {"wall_seconds", status.wall_seconds}};
 }
 
 void from_json(const nlohmann::json& json, Status& status) {
@@ -37,6 +38,7 @@ void from_json(const nlohmann::json& json, Status& status) {
   status.seconds_per_step = number_in(json, "seconds_per_step");
   status.checkpoint_step = json.value("checkpoint_step", std::int64_t{-1});
   status.updated = number_in(json, "updated");
+  status.wall_seconds = number_in(json, "wall_seconds");
 }
 
 }  // namespace softwall

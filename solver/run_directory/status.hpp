@@ -20,6 +20,7 @@ struct Status {
   double seconds_per_step = 0.0;      ///< wall clock
   std::int64_t checkpoint_step = -1;  ///< of the newest checkpoint; -1: none
   double updated = 0.0;               ///< seconds since 1970, UTC
+  double wall_seconds = 0.0;          ///< of this attempt so far; 0: not known
 };
 
 void to_json(nlohmann::json& json, const Status& status);

@@ -28,7 +28,8 @@ Status some_status() {
           .dt_limit = "elastic",
           .seconds_per_step = 0.25,
           .checkpoint_step = 8,
-          .updated = 1.5e9};
+          .updated = 1.5e9,
+          .wall_seconds = 12.5};
 }
 
 Summary some_summary() {

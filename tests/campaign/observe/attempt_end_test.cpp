@@ -7,6 +7,7 @@
 
 #include "campaign/observe/observe.hpp"
 #include "solver/run_directory/exit_codes.hpp"
+#include "solver/run_directory/status.hpp"
 #include "tests/campaign/core/examples.hpp"
 #include "tests/campaign/observe/run_directory_files.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -64,6 +65,21 @@ TEST(AttemptEnd, IsToldByTheSummaryOfThatAttemptOrElseByTheExitStatus) {
   EXPECT_EQ(describe_end(one, run, 3, timed_out).outcome, AttemptOutcome::kInterrupted)
       << "the solver's own word comes first";
   EXPECT_EQ(describe_end(one, run, 4, {"", 1}).step, 10);
+}
+
+TEST(AttemptEnd, WithoutASummaryItsTimeIsThatOfItsLastStatus) {
+  const test::TemporaryFolder folder;
+  const CampaignCase one = tests::campaign_of(tests::elastic_campaign()).cases.front();
+  const RunFiles run = run_files(folder.path(), one);
+  test::write_summary(run, one.definition.id, 3, "interrupted", 10, 1.0);
+  Status status;
+  status.case_id = one.definition.id;
+  status.attempt = 4;
+  status.wall_seconds = 90.5;
+  std::ofstream(run.status()) << nlohmann::json(status);
+  EXPECT_EQ(describe_end(one, run, 4, {"", 137}).wall_seconds, 90.5);
+  EXPECT_EQ(describe_end(one, run, 3, {"", 137}).wall_seconds, 1.0);
+  EXPECT_FALSE(describe_end(one, run, 5, {"", 137}).wall_seconds) << "the status is that of another attempt";
 }
 
 }  // namespace
