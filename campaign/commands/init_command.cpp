@@ -5,6 +5,7 @@
 #include "campaign/core/parameters.hpp"
 #include "campaign/core/spec.hpp"
 #include "campaign/store/result_table.hpp"
+#include "campaign/store/text_width.hpp"
 #include "campaign/system/shell_words.hpp"
 #include "solver/case/atomic_file.hpp"
 #include "solver/case/bad_input.hpp"
@@ -36,11 +37,17 @@ constexpr const char* kFirstCampaign = R"({
 }
 )";
 
+/// The name of the folder as a campaign may have it: harmless, and not too long.
+std::string name_after(const fs::path& folder) {
+  constexpr std::size_t kLongest = 80;
+  const std::string name = shortened(printable(fs::weakly_canonical(folder).filename().string()), kLongest);
+  return name.empty() ? "campaign" : name;
+}
+
 std::string text_for(const fs::path& folder) {
   std::string text = kFirstCampaign;
   const std::string placeholder = "NAME";
-  text.replace(text.find(placeholder), placeholder.size(),
-               json(fs::weakly_canonical(folder).filename()).dump());
+  text.replace(text.find(placeholder), placeholder.size(), json(name_after(folder)).dump());
   return text;
 }
 
@@ -72,8 +79,8 @@ ExitStatus begin_campaign(const fs::path& folder) {
   std::error_code unreadable;
   if (fs::exists(file, unreadable))
     throw BadInput(folder.string(), {{"", "has a campaign.json already", "name a new folder"}});
-  fs::create_directories(folder);
   const std::string text = text_for(folder);
+  fs::create_directories(folder);
   write_atomically(file, text);
 
   std::cout << "Wrote " << file.string()

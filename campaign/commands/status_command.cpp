@@ -103,7 +103,7 @@ void print_json(const LoadedCampaign& loaded, const Snapshot& now, bool why) {
       {"runner_known", !now.owner_is_unknown},
       {"seconds_left", now.seconds_left},
       {"cases", cases}};
-  std::cout << status.dump(2) << std::endl;
+  std::cout << status.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
 }
 
 /// Which cases a person looks for first.

@@ -1,6 +1,7 @@
 """What somebody meets before the first run: `softwall init`, help that opens with examples, completion in a shell."""
 
 import json
+import os
 import shutil
 import subprocess
 import tempfile
@@ -51,6 +52,21 @@ class FirstSteps(unittest.TestCase):
         done = softwall("init", ".", cwd=self.place)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(json.loads((self.place / "campaign.json").read_text())["name"], "it's new")
+
+    def test_a_folder_may_have_any_name(self):
+        self.place.mkdir()
+        for name in (b"x" * 200, b"caf\xe9", b"a\nb"):
+            folder = os.path.join(os.fsencode(self.place), name)
+            done = subprocess.run([SOFTWALL, "init", folder], capture_output=True, timeout=60)
+            self.assertEqual((done.returncode, done.stderr), (0, b""), name)
+            plan = subprocess.run([SOFTWALL, "plan", folder, "--json"], capture_output=True, timeout=60)
+            self.assertEqual(plan.returncode, 0, plan.stderr)
+            case = os.path.join(folder, os.fsencode(json.loads(plan.stdout)["cases"][0]["directory"]))
+            os.makedirs(case)
+            os.symlink("checkpoints", os.path.join(case, b"checkpoints"))  # a loop: the reason names the folder
+            status = subprocess.run([SOFTWALL, "status", folder, "--why", "--json"], capture_output=True, timeout=60)
+            self.assertEqual((status.returncode, status.stderr), (0, b""))
+            self.assertIn("cannot be read", json.loads(status.stdout)["cases"][0]["why"])
 
     def test_the_help_of_every_command_opens_with_examples(self):
         names = completed(softwall("completion", "bash").stdout, "")
