@@ -196,8 +196,8 @@ void require_nothing_in_the_way(const Preflight& preflight, const fs::path& fold
 }
 
 void require_writable(const fs::path& folder) {
-  const fs::path probe = folder / (".softwall-" + std::to_string(getpid()));
-  const FileDescriptor file(open(probe.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+  std::string probe = folder / ".softwall-XXXXXX";  // a name that nobody, killed just here, has left behind
+  const FileDescriptor file(mkostemp(probe.data(), O_CLOEXEC));
   if (!file)
     refuse(folder.string(), std::string("cannot be written: ") + std::strerror(errno), "a writable folder");
   unlink(probe.c_str());

@@ -118,6 +118,13 @@ class Surroundings(EndToEndTest):
         self.assertEqual(answer.returncode, 2, answer.stderr)
         self.assertIn("the current folder is not there any more", answer.stderr)
 
+    def test_what_an_earlier_process_of_this_number_left_is_in_nobodys_way(self):
+        campaign = self.campaign(SHORT)
+        answer = subprocess.run(["sh", "-c", 'touch "$1/.softwall-$$" && exec "$0" run "$1"', SOFTWALL, campaign.folder],
+                                capture_output=True, text=True, env={**os.environ, "SOFTWALL_DNS": "/no/such/solver"})
+        self.assertEqual(answer.returncode, 2, answer.stderr)
+        self.assertIn("/no/such/solver", answer.stderr)
+
     def test_the_solver_alone_writes_a_checkpoint_when_its_terminal_is_closed(self):
         campaign = self.campaign(LONG)
         runner = self.start(campaign.command("run"), campaign)
