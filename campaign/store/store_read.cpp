@@ -1,3 +1,5 @@
+#include <sqlite3.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -67,9 +69,19 @@ class AttemptTally {
   std::int64_t furthest_ = 0;
 };
 
+/// Throws SqliteError, of damage, where the case is missing of which the store has more.
+CaseRecord& record_of(const std::string& case_id, std::unordered_map<std::string, CaseRecord>& records,
+                      const std::filesystem::path& store) {
+  const auto record = records.find(case_id);
+  if (record != records.end()) return record->second;
+  throw SqliteError(store.string() + ": damaged: it knows attempts of case " + case_id + ", and not the case",
+                    SQLITE_CORRUPT);
+}
+
 /// Two passes, one over the cases and one over their attempts: the answer to one question about both takes
 /// SQLite several times as long. The rows may be of all cases or of one.
-std::unordered_map<std::string, CaseRecord> records_in(Statement cases, Statement attempts) {
+std::unordered_map<std::string, CaseRecord> records_in(const std::filesystem::path& store, Statement cases,
+                                                       Statement attempts) {
   std::unordered_map<std::string, CaseRecord> records;
   std::unordered_map<std::string, int> forgiven;
   while (cases.step()) {
@@ -82,7 +94,7 @@ std::unordered_map<std::string, CaseRecord> records_in(Statement cases, Statemen
   while (attempts.step()) {
     if (std::string id = attempts.text(0); !tally || id != tallied) {
       const auto pardon = forgiven.find(id);
-      tally.emplace(records.at(id), pardon == forgiven.end() ? 0 : pardon->second);
+      tally.emplace(record_of(id, records, store), pardon == forgiven.end() ? 0 : pardon->second);
       tallied = std::move(id);
     }
     tally->add(attempts);
@@ -124,14 +136,15 @@ PastAttempt past_attempt_in(const Statement& row) {
 std::optional<CaseRecord> Store::find_case(const std::string& case_id) const {
   static const std::string kCase = std::string(kAllCases) + " WHERE case_id = ?";
   static const std::string kAttemptsOfCase = std::string(kAttempts) + " WHERE case_id = ? ORDER BY attempt";
-  auto found = records_in(connection_.query(kCase, case_id), connection_.query(kAttemptsOfCase, case_id));
+  auto found = records_in(connection_.file(), connection_.query(kCase, case_id),
+                          connection_.query(kAttemptsOfCase, case_id));
   if (found.empty()) return std::nullopt;
   return std::move(found.begin()->second);
 }
 
 std::unordered_map<std::string, CaseRecord> Store::all_cases() const {
   static const std::string kAllAttempts = std::string(kAttempts) + " ORDER BY case_id, attempt";
-  return records_in(connection_.query(kAllCases), connection_.query(kAllAttempts));
+  return records_in(connection_.file(), connection_.query(kAllCases), connection_.query(kAllAttempts));
 }
 
 int Store::attempts(const std::string& case_id) const {

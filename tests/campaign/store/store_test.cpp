@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "campaign/core/words.hpp"
 #include "tests/campaign/store/examples.hpp"
@@ -308,3 +309,20 @@ TEST_F(StoreTest, TellsTheStoryInOrder) {
 
 }  // namespace
 }  // namespace softwall::campaign::tests
+/// Somebody has deleted a row with another program, which knows of no foreign keys.
+TEST_F(StoreTest, ACaseThatIsMissingIsDamage) {
+  EXPECT_EQ(store.begin_attempt(id, start), 1);
+  store.connection().execute("PRAGMA foreign_keys = OFF");
+  store.connection().execute("DELETE FROM quantities; DELETE FROM cases");
+  for (const auto& look : std::vector<std::function<void()>>{[&] { (void)store.all_cases(); },
+                                                             [&] { (void)store.find_case(id); }}) {
+    try {
+      look();
+      ADD_FAILURE() << "nothing was noticed";
+    } catch (const SqliteError& error) {
+      EXPECT_TRUE(error.is_damage());
+      EXPECT_NE(std::string(error.what()).find(id), std::string::npos);
+    }
+  }
+}
+
