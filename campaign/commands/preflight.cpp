@@ -159,16 +159,19 @@ Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>
   Preflight result;
   const bool here = launcher.capacity().has_value();  // else a scheduler knows its machines, and we do not
   Machine machine{campaign.execution.cores, here ? memory_here() : 0.0, {}};
+  const int ranks = most_ranks(campaign, decisions);
+  Preflight missing;  // what nobody needs where nothing is to be started
+  Preflight& of_programs = ranks > 0 ? result : missing;
   std::optional<fs::path> solver;
   try {
     solver = find_solver();
     machine.missing_programs = missing_programs(*solver);
   } catch (const BadInput& error) {
-    add(error, result);
+    add(error, of_programs);
   }
   add_obstacles_of_cases(campaign, decisions, machine, result);
   add_paths_that_are_too_long(loaded, decisions, result);
-  if (solver && result.mistakes.empty()) prepare(launcher, *solver, most_ranks(campaign, decisions), result);
+  if (solver && result.mistakes.empty()) prepare(launcher, *solver, ranks, of_programs);
   result.disk = disk_need(campaign, observations);
   result.disk_free_bytes = static_cast<double>(fs::space(loaded.folder).available);
   result.memory_bytes = memory_side_by_side(campaign, decisions);

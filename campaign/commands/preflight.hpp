@@ -24,8 +24,8 @@ struct Preflight {
   int machine_cores = 0;  ///< that softwall may use
 };
 
-/// Looks only at what is yet to be started: the cases of a finished campaign need nothing. Prepares the
-/// launcher.
+/// Looks only at what is yet to be started: the cases of a finished campaign need nothing, neither a solver
+/// nor mpirun. Prepares the launcher.
 [[nodiscard]] Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>& observations,
                                   Launcher& launcher);
 
