@@ -179,7 +179,8 @@ ExitStatus show_plan(const std::filesystem::path& path, bool json) {
   const LoadedCampaign loaded = load_campaign(path);
   const PlannedCampaign planned = plan_all(loaded);
   json ? print_json(loaded, planned) : print_text(loaded, planned);
-  if (!planned.ready.mistakes.empty())  // run would refuse in these words
+  // In these words run would refuse; in JSON they are "refused".
+  if (!json && !planned.ready.mistakes.empty())
     std::cerr << printable_lines(refusal(planned.ready, loaded.folder).what()) << "\n";
   return ExitStatus::kDone;
 }

@@ -112,7 +112,9 @@ class RealUse(EndToEndTest):
                 free = re.compile(r"[\d.]+ .?B free")  # others write to the same disk
                 self.assertEqual(free.sub("", plan.stderr), free.sub("", run.stderr))
                 self.assertIn(" blocked ", plan.stdout)
-                refused = json.loads(campaign.call("plan", "--json").stdout)["refused"]
+                plan = campaign.call("plan", "--json")
+                self.assertEqual((plan.returncode, plan.stderr), (0, ""))
+                refused = json.loads(plan.stdout)["refused"]
                 self.assertIn(words, "".join(f"{one['where']}: {one['given']}; {one['allowed']}\n" for one in refused))
                 self.assertEqual(list(campaign.folder.glob("cases")), [])
 
