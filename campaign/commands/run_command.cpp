@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <iostream>
 #include <optional>
+#include <span>
 #include <system_error>
 
 #include "campaign/commands/campaign_folder.hpp"
@@ -30,26 +32,32 @@ void print_results(const std::filesystem::path& folder) {
   std::cout << std::flush;
 }
 
+/// The first ones: the reason of most is that of one, and softwall status has them all.
+void explain(const std::vector<RunnerReport::Trouble>& troubles, const LoadedCampaign& loaded) {
+  constexpr std::size_t kMostExplained = 10;
+  for (const auto& trouble : std::span(troubles).first(std::min(troubles.size(), kMostExplained))) {
+    std::cerr << "  " << trouble.label << ": " << printable(trouble.reason) << "\n";
+    const auto log = RunFiles{loaded.folder / trouble.directory}.log();
+    if (std::filesystem::exists(log)) std::cerr << "    its log: " << printable(log.string()) << "\n";
+  }
+  if (troubles.size() > kMostExplained)
+    std::cerr << "  and " << troubles.size() - kMostExplained
+              << " more:  " << softwall_command("status", loaded.named) << "\n";
+}
+
 /// What is done, what is not and why, and what to do next.
 void print_report(const RunnerReport& report, const LoadedCampaign& loaded) {
   const auto& folder = loaded.folder;
-  const auto explain = [&](const std::vector<RunnerReport::Trouble>& troubles) {
-    for (const auto& trouble : troubles) {
-      std::cerr << "  " << trouble.label << ": " << printable(trouble.reason) << "\n";
-      const auto log = RunFiles{folder / trouble.directory}.log();
-      if (std::filesystem::exists(log)) std::cerr << "    its log: " << printable(log.string()) << "\n";
-    }
-  };
   std::cerr << "\n"
             << printable(loaded.campaign.name) << ": " << report.finished << " of "
             << counted(report.cases, "case") << " finished.\n";
   if (!report.failed.empty()) {
     std::cerr << counted(report.failed.size(), "case") << " failed:\n";
-    explain(report.failed);
+    explain(report.failed, loaded);
   }
   if (!report.unfinished.empty()) {
     std::cerr << counted(report.unfinished.size(), "case") << " not finished:\n";
-    explain(report.unfinished);
+    explain(report.unfinished, loaded);
     std::cerr << "To go on:  " << softwall_command("resume", loaded.named) << "\n";
   }
   std::cerr << "Results store: " << printable(store_path(folder).string()) << "\n";

@@ -81,13 +81,17 @@ class BadInput(EndToEndTest):
         self.assertFalse((campaign.folder / "cases").exists())
 
     def test_a_solver_that_cannot_run_fails_each_case_and_is_retried_after_repair(self):
-        campaign = self.campaign(changed(CAMPAIGN, sweep={"list": [{"G": 1}]}))
+        campaign = self.campaign(changed(CAMPAIGN, sweep={"grid": {"G": list(range(1, 13))}}))
         broken = campaign.folder / "broken-dns"
         broken.write_text("this is no program")
         broken.chmod(0o755)
         answer = campaign.call("run", env={**os.environ, "SOFTWALL_DNS": str(broken)})
         self.assertEqual(answer.returncode, 3, answer.stderr)
-        self.assertIn("2 cases failed", answer.stderr)
+        self.assertIn("13 cases failed", answer.stderr)
+        self.assertIn("G=9: ", answer.stderr)  # the precursor and nine others are named
+        self.assertNotIn("G=10: ", answer.stderr)
+        self.assertIn("and 3 more:  ", answer.stderr)
+        campaign.write(changed(CAMPAIGN, sweep={"list": [{"G": 1}]}))
         self.run_to_end(campaign, "resume")
 
     @unittest.skipUnless(os.geteuid() == 0 and shutil.which("setpriv"), "needs root to become somebody else")
