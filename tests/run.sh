@@ -24,7 +24,7 @@ start_building() {  # preset
   builder=$!
   set +m
 }
-stop_building() { [[ -z "${builder:-}" ]] || kill -- "-$builder" 2>/dev/null || true; rm -f "$build_log"; }
+stop_building() { [[ -z "${builder:-}" ]] || kill -- "-$builder" 2>/dev/null || true; rm -f "$build_log" "${tidy_errors:-}"; }
 trap stop_building EXIT
 finish_building() {
   local status=0
@@ -71,12 +71,15 @@ step "clang-tidy on the sources that changed last"
 # Each source by itself, as an editor sees it: compiled several at a time, one may live on what another includes.
 cmake --preset ci -B build-tidy -DCMAKE_UNITY_BUILD=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
 ln -sfn "$PWD/build/generated" build-tidy/generated
+tidy_errors=$(mktemp)
 # sed takes the first ten but reads on; head would close the pipe, which pipefail makes a failure.
 complaints=$(git log -n 40 --format= --name-only --diff-filter=d -- '*.cpp' | awk '!seen[$0]++' |
   { grep -v '^tests/' || true; } | while read -r file; do [[ ! -f $file ]] || echo "$file"; done | sed -n 1,10p |
-  xargs -r -n 5 -P "$jobs" clang-tidy -p build-tidy --quiet --extra-arg=-Wno-unknown-warning-option 2>/dev/null) &&
+  xargs -r -n 5 -P "$jobs" clang-tidy -p build-tidy --quiet --extra-arg=-Wno-unknown-warning-option 2>"$tidy_errors") &&
   tidy=0 || tidy=1
 ((tidy == 1)) || echo "as .clang-tidy says"
+# It counts its warnings there; what keeps it from its work, its absence say, stands nowhere else.
+[[ $tidy == 0 || -n $complaints ]] || complaints=$(cat "$tidy_errors")
 echo "$complaints"
 
 step "The rest of the build with sanitizers"
