@@ -156,7 +156,7 @@ std::vector<Action> plan(const Campaign& campaign, const std::vector<Observation
     const Outlook outlook = planner.decide(c).outlook;
     if ((outlook != Outlook::kStart && outlook != Outlook::kResume) || c.ranks > cores_free) continue;
     cores_free -= c.ranks;
-    actions.push_back({c.definition.id, outlook == Outlook::kResume, c.ranks, planner.initial_checkpoint(c)});
+    actions.push_back({c.definition.id, c.ranks, planner.initial_checkpoint(c)});
   }
   return actions;
 }

@@ -28,7 +28,6 @@ struct Decision {
 /// Start or resume this case now.
 struct Action {
   std::string case_id;
-  bool resume = false;
   int ranks = 1;
   /// The newest valid checkpoint of the case that it starts from, as observed, to be written into
   /// run.initial_checkpoint; empty when the case needs none.

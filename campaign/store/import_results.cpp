@@ -160,11 +160,6 @@ bool statistics_are_damaged(const RunFiles& run, const std::string& case_id) {
   }
 }
 
-Observation with_history(Observation observation, const Store& store) {
-  const auto known = store.find_case(observation.case_id);
-  return known ? with_history(observation, *known) : observation;
-}
-
 Observation with_history(Observation observation, const CaseRecord& known) {
   observation.attempts = std::max(observation.attempts, known.attempts);
   observation.attempts_without_progress = known.attempts_without_progress;

@@ -45,6 +45,5 @@ bool import_result_so_far(Store& store, const CampaignCase& campaign_case, const
 
 /// An observation completed by what only the store knows: failures and ends without a summary.
 [[nodiscard]] Observation with_history(Observation observation, const CaseRecord& known);
-[[nodiscard]] Observation with_history(Observation observation, const Store& store);
 
 }  // namespace softwall::campaign

@@ -35,7 +35,10 @@ struct CaseRecord {
   std::string state_since;        ///< ISO 8601 UTC
   std::string stale_reason;       ///< empty: not stale
   int attempts = 0;
-  int attempts_without_progress = 0;  ///< see Store::attempts_without_progress
+  /// Failed attempts since the case last got further than ever before (or was forgiven). Attempts that were
+  /// interrupted on request, never started, or lost with their manager or node do not count: not the case's
+  /// fault.
+  int attempts_without_progress = 0;
 };
 
 /// An attempt without an end: it runs, or a manager that died has left it.
@@ -99,11 +102,6 @@ class Store {
   /// All cases, by id.
   [[nodiscard]] std::unordered_map<std::string, CaseRecord> all_cases() const;
   [[nodiscard]] int attempts(const std::string& case_id) const;
-  /// Failed attempts since the case last got further than ever before (or was forgiven). Attempts that were
-  /// interrupted on request, never started, or lost with their manager or node do not count: not the case's
-  /// fault.
-  [[nodiscard]] int attempts_without_progress(const std::string& case_id) const;
-  [[nodiscard]] std::vector<OpenAttempt> open_attempts() const;
   [[nodiscard]] std::vector<OpenAttempt> open_attempts(const std::string& case_id) const;
   /// Attempts that have ended, in order.
   [[nodiscard]] std::vector<PastAttempt> past_attempts(const std::string& case_id) const;

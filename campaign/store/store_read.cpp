@@ -50,9 +50,9 @@ class AttemptTally {
     const std::int64_t step = row.integer(4);
     record_.attempts = attempt;
     record_.seconds_per_step = row.integer(7) != 0 ? row.real(6) / static_cast<double>(row.integer(7)) : 0.0;
+    record_.measured_ranks = static_cast<int>(row.integer(8));
     if (outcome == "finished") {
       record_.reached_time = std::max(record_.reached_time, row.real(5));
-    record_.measured_ranks = static_cast<int>(row.integer(8));
       record_.reached_step = std::max(record_.reached_step, step);
     }
     if (step > furthest_) {
@@ -153,11 +153,6 @@ int Store::attempts(const std::string& case_id) const {
   return row.step() ? static_cast<int>(row.integer(0)) : 0;
 }
 
-int Store::attempts_without_progress(const std::string& case_id) const {
-  const auto record = find_case(case_id);
-  return record ? record->attempts_without_progress : 0;
-}
-
 std::vector<PastAttempt> Store::past_attempts(const std::string& case_id) const {
   Statement rows = connection_.query(kPastAttempts, case_id);
   std::vector<PastAttempt> attempts;
@@ -179,14 +174,6 @@ std::map<std::string, double> Store::core_hours() const {
   std::map<std::string, double> hours;
   while (rows.step()) hours[rows.text(0)] = rows.real(1);
   return hours;
-}
-
-std::vector<OpenAttempt> Store::open_attempts() const {
-  Statement rows = connection_.query(
-      "SELECT case_id, attempt FROM attempts WHERE ended IS NULL ORDER BY case_id, attempt");
-  std::vector<OpenAttempt> found;
-  while (rows.step()) found.push_back({rows.text(0), static_cast<int>(rows.integer(1))});
-  return found;
 }
 
 std::vector<OpenAttempt> Store::open_attempts(const std::string& case_id) const {

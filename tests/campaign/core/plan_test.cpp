@@ -45,19 +45,20 @@ Observation seen(const std::string& id, CaseState state, double time = 5.0) {
 
 Observation finished(const std::string& id) { return seen(id, CaseState::kFinished, 10.0); }
 
-/// "start P, resume A"
-std::string planned(const Campaign& c, const std::vector<Observation>& observations, int cores = 100) {
-  std::string text;
-  for (const auto& action : plan(c, observations, cores))
-    text += (text.empty() ? "" : ", ") + std::string(action.resume ? "resume " : "start ") + action.case_id;
-  return text;
-}
-
 Decision decision(const Campaign& c, const std::vector<Observation>& observations, const std::string& id) {
   for (const auto& made : decide(c, observations))
     if (made.case_id == id) return made;
   ADD_FAILURE() << "no decision for " << id;
   return {};
+}
+
+/// "start P, resume A"
+std::string planned(const Campaign& c, const std::vector<Observation>& observations, int cores = 100) {
+  std::string text;
+  for (const auto& action : plan(c, observations, cores))
+    text += (text.empty() ? "" : ", ") + to_string(decision(c, observations, action.case_id).outlook) + " " +
+            action.case_id;
+  return text;
 }
 
 TEST(Plan, ThePrecursorComesFirstAndAlone) {

@@ -87,7 +87,7 @@ TEST_P(KillTest, LosesNoAcknowledgedRow) {
                      "SELECT count(*) FROM attempts a WHERE (ended IS NOT NULL) <> (2 = (SELECT count(*)"
                      " FROM diagnostics d WHERE d.attempt = a.attempt AND abs(d.value) = a.attempt))"),
               "0");
-    for (const OpenAttempt& open : store.open_attempts())
+    for (const OpenAttempt& open : store.open_attempts(id))
       store.end_attempt(id, open.attempt, [&] {
         AttemptEnd end = failed_at(open.attempt);
         end.diagnostics = {{"a", open.attempt}, {"b", -open.attempt}};
