@@ -65,7 +65,7 @@ std::string introduction(const Case& c, const RunOptions& options, int ranks) {
   std::ostringstream text;
   text << "softwall-dns " << build.version << " (" << build.git_revision << ", " << build.build_type << ", "
        << build.compiler << "), " << ranks << (ranks == 1 ? " rank on " : " ranks on ") << host_name() << "\n"
-       << "case " << c.id << " \"" << printable(c.label) << "\", attempt " << options.attempt << ": "
+       << "case " << c.id << " \"" << printable_excerpt(c.label) << "\", attempt " << options.attempt << ": "
        << words_for(p.flow) << ", Re " << p.reynolds;
   if (p.solid) {
     text << ", G " << p.solid->G;

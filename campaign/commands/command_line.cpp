@@ -235,7 +235,7 @@ void CommandLine::print_help(const std::string& command) const {
     }
   }
   throw BadInput("softwall help",
-                 {{"", "no command " + printable(command), "softwall help lists all commands"}});
+                 {{"", "no command " + printable_excerpt(command), "softwall help lists all commands"}});
 }
 
 std::string CommandLine::suggest_option(int count, char** words) const {

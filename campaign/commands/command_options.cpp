@@ -34,7 +34,7 @@ std::vector<CommandWords> words_of_commands(const CLI::App& app) {
 void refuse_unknown_command(const std::string& word, const std::vector<std::string>& known) {
   if (std::ranges::find(known, word) != known.end()) return;
   const auto near = suggestion(word, known);
-  throw BadInput("softwall", {{"", "no command " + printable(word),
+  throw BadInput("softwall", {{"", "no command " + printable_excerpt(word),
                                near ? "did you mean " + *near + "?" : "softwall --help lists all commands"}});
 }
 

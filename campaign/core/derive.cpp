@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-std::string place_of(const std::string& name) { return "/derive/" + printable(name); }
+std::string place_of(const std::string& name) { return "/derive/" + printable_excerpt(name); }
 
 /// Without the last digits, where round-off is: 3 * 0.1 is 0.3, the same case as one written by hand.
 double rounded(double value) {
@@ -61,7 +61,8 @@ std::vector<Mistake> mistakes_in(const std::string& name, const std::string& tex
         continue;
       }
       Mistake mistake = unknown_key("/derive", operand, parameter_names());
-      mistakes.push_back({place_of(name), "no such parameter: " + printable(operand), mistake.allowed});
+      mistakes.push_back(
+          {place_of(name), "no such parameter: " + printable_excerpt(operand), mistake.allowed});
     }
   } catch (const ExpressionError& error) {
     mistakes.push_back({place_of(name), quoted(json(text)), error.what()});

@@ -148,7 +148,7 @@ class ExpressionParser {
   [[noreturn]] void fail(const std::string& what) {
     throw ExpressionError(at_end() ? what + " after the last character"
                                    : what + " at character " + std::to_string(at_ + 1) + ", \"" +
-                                         printable(text_.substr(at_), 20) + "\"");
+                                         printable_excerpt(text_.substr(at_), 20) + "\"");
   }
 
   std::string_view text_;

@@ -29,7 +29,7 @@ std::string report(const std::string& source, const std::vector<Mistake>& mistak
 BadInput::BadInput(const std::string& source_name, std::vector<Mistake> all)
     : std::runtime_error(report(source_name, all)), source(source_name), mistakes(std::move(all)) {}
 
-std::string printable(std::string_view text, std::size_t limit) {
+std::string printable_excerpt(std::string_view text, std::size_t limit) {
   const bool cut = text.size() > limit;
   const nlohmann::json quoted = std::string(text.substr(0, limit));
   const bool ascii_only = true;

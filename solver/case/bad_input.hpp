@@ -23,6 +23,6 @@ struct BadInput : std::runtime_error {
 
 /// Text that is safe to print: control characters and bytes that are not UTF-8 escaped, cut after `limit`
 /// bytes.
-[[nodiscard]] std::string printable(std::string_view text, std::size_t limit = 80);
+[[nodiscard]] std::string printable_excerpt(std::string_view text, std::size_t limit = 80);
 
 }  // namespace softwall

@@ -64,7 +64,7 @@ std::vector<std::string> known_keys(const json& node) {
   return keys;
 }
 
-std::string printable_pointer(const Pointer& pointer) { return printable(pointer.to_string(), 200); }
+std::string printable_pointer(const Pointer& pointer) { return printable_excerpt(pointer.to_string(), 200); }
 
 void add_unknown(const json& object, const json& node, const Pointer& at, std::vector<Mistake>& mistakes) {
   if (node.value("additionalProperties", json(true)) != json(false)) return;
@@ -229,13 +229,13 @@ std::string quoted(const json& value) {
     if (!value.empty()) return kind;
     return value.is_object() ? "{}" : "[]";
   }
-  if (value.is_string()) return "\"" + printable(value.get_ref<const std::string&>()) + "\"";
+  if (value.is_string()) return "\"" + printable_excerpt(value.get_ref<const std::string&>()) + "\"";
   return value.dump();
 }
 
 Mistake unknown_key(const std::string& pointer, const std::string& key,
                     const std::vector<std::string>& known) {
-  const std::string where = printable(pointer, 200) + "/" + printable(key);
+  const std::string where = printable_excerpt(pointer, 200) + "/" + printable_excerpt(key);
   if (const auto meant = suggestion(key, known))
     return {where, "unknown key", "did you mean \"" + *meant + "\"?"};
   std::string all;

@@ -27,7 +27,7 @@ std::string reason(const std::string& message) {
   std::string_view rest = message;
   if (prefix != std::string_view::npos) rest.remove_prefix(prefix + 2);
   if (rest.starts_with("parse error at ")) rest.remove_prefix(std::min(rest.size(), rest.find(": ") + 2));
-  std::string text = printable(rest, 200);
+  std::string text = printable_excerpt(rest, 200);
   for (std::size_t at = text.find("\\\""); at != std::string::npos; at = text.find("\\\"", at))
     text.erase(at, 1);
   return text;
@@ -113,7 +113,8 @@ class StrictReader : public nlohmann::json_sax<json> {
     std::string path;
     for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
       const Open& level = open_[i];
-      path += "/" + (level.value.is_array() ? std::to_string(level.value.size()) : printable(level.key));
+      path +=
+          "/" + (level.value.is_array() ? std::to_string(level.value.size()) : printable_excerpt(level.key));
     }
     return path;
   }

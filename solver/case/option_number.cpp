@@ -19,8 +19,9 @@ std::string trouble_with_number(const std::string& text, const OptionRange& rang
   const bool is_number = error == std::errc{} && rest == end;
   const bool above = range.low_allowed ? value >= range.low : value > range.low;
   if (is_number && above && value <= range.high) return "";
-  return printable(text) + " is not a number " + (range.low_allowed ? "of at least " : "greater than ") +
-         text_of(range.low) + " and of at most " + text_of(range.high);
+  return printable_excerpt(text) + " is not a number " +
+         (range.low_allowed ? "of at least " : "greater than ") + text_of(range.low) + " and of at most " +
+         text_of(range.high);
 }
 
 }  // namespace softwall

@@ -138,7 +138,8 @@ std::optional<std::int64_t> step_in_name(const std::filesystem::path& file) {
 void verify(const std::filesystem::path& file, const std::string& case_id, CheckpointHeader& header) {
   header = read_checkpoint_header(file);
   if (header.case_id != case_id)
-    throw std::runtime_error("it belongs to case " + printable(header.case_id) + ", not to " + case_id);
+    throw std::runtime_error("it belongs to case " + printable_excerpt(header.case_id) + ", not to " +
+                             case_id);
   if (const auto named = step_in_name(file); named && *named != header.step)
     throw std::runtime_error("its name says step " + std::to_string(*named) + ", its header " +
                              std::to_string(header.step));

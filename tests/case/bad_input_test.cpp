@@ -18,11 +18,11 @@ TEST(BadInput, CutsAnEndlessList) {
 }
 
 TEST(Printable, LetsNothingThroughThatATerminalObeys) {
-  EXPECT_EQ(printable("plain text"), "plain text");
-  EXPECT_EQ(printable("\033[31m\n\x07"), "\\u001b[31m\\n\\u0007");
-  EXPECT_EQ(printable("\xff\xc3\xa4"), "\\ufffd\\u00e4");
-  EXPECT_EQ(printable("\xe2\x80\xae"), "\\u202e");  // turns the reading direction round
-  EXPECT_EQ(printable(std::string(500, 'x'), 10), "xxxxxxxxxx...");
+  EXPECT_EQ(printable_excerpt("plain text"), "plain text");
+  EXPECT_EQ(printable_excerpt("\033[31m\n\x07"), "\\u001b[31m\\n\\u0007");
+  EXPECT_EQ(printable_excerpt("\xff\xc3\xa4"), "\\ufffd\\u00e4");
+  EXPECT_EQ(printable_excerpt("\xe2\x80\xae"), "\\u202e");  // turns the reading direction round
+  EXPECT_EQ(printable_excerpt(std::string(500, 'x'), 10), "xxxxxxxxxx...");
 }
 
 }  // namespace

@@ -127,12 +127,12 @@ class RealUse(EndToEndTest):
         self.run_to_end(campaign)
         self.assertEqual(len(list(campaign.folder.glob("cases/*/fields/fields-*.h5"))), 11)
         self.assertIn("disk for checkpoints 0 GB, free", campaign.call("plan").stdout)
-
-    def test_what_a_change_leaves_behind_is_told_and_kept_apart(self):
         # What is finished needs neither a solver nor mpirun to be analysed again.
         for settings in ({"SOFTWALL_DNS": "/no/such/solver"}, {"PATH": "/no/such"}):
             again = campaign.call("run", env={**os.environ, **settings})
             self.assertEqual(again.returncode, 0, again.stderr)
+
+    def test_what_a_change_leaves_behind_is_told_and_kept_apart(self):
         campaign = self.campaign(RIGID)
         self.run_to_end(campaign)
         (old,) = campaign.query("SELECT case_id FROM results")
@@ -167,13 +167,6 @@ class RealUse(EndToEndTest):
         self.run_to_end(campaign)
         changed_physics = dict(RIGID["physics"], statistics={"start_time": 0.5, "block_length": 0.25, "interval_steps": 2})
         campaign.write(changed(RIGID, physics=changed_physics))
-        self.assertEqual(campaign.call("clean", "--remove").returncode, 0)
-        self.assertEqual([each.name for each in campaign.folder.glob("cases/*")], ["notes"])
-        (campaign.folder / "cases" / "notes").rmdir()
-        (row,) = campaign.query("SELECT state, in_campaign FROM results_all")
-        self.assertEqual((row["state"], row["in_campaign"]), ("new", 1))
-        self.assertEqual(campaign.call("verify").returncode, 0)
-
         (case,) = campaign.folder.glob("cases/*")
 
         pilot = campaign.folder / "pilot.json"  # asks for what the campaign no longer asks for
@@ -194,6 +187,13 @@ class RealUse(EndToEndTest):
         listed = campaign.call("clean").stdout
         self.assertIn(f"{rest.name}: the rest of a case", listed)
         self.assertIn("cases/notes: without a case.json", listed)
+        self.assertEqual(campaign.call("clean", "--remove").returncode, 0)
+        self.assertEqual([each.name for each in campaign.folder.glob("cases/*")], ["notes"])
+        (campaign.folder / "cases" / "notes").rmdir()
+        (row,) = campaign.query("SELECT state, in_campaign FROM results_all")
+        self.assertEqual((row["state"], row["in_campaign"]), ("new", 1))
+        self.assertEqual(campaign.call("verify").returncode, 0)
+
     def test_old_checkpoints_of_a_finished_case_may_be_removed(self):
         campaign = self.campaign(changed(RIGID, run={"end_time": 1, "checkpoint_steps": 2, "keep_checkpoints": 3}))
         self.run_to_end(campaign)
