@@ -24,7 +24,7 @@ struct LeftBehind {
 struct BesideTheCampaign {
   std::vector<LeftBehind> cases;         ///< that no campaign file asks for
   std::map<std::string, int> of_others;  ///< cases that another campaign file asks for, by its name
-  std::vector<std::string> unreadable;   ///< other campaign files; theirs may be among `cases`
+  std::vector<std::string> unreadable;   ///< other campaign files, whose cases may be among `cases`
   std::vector<std::string> of_nobody;    ///< directories without a readable case file
   std::vector<std::filesystem::path> being_removed;  ///< what a removal that was killed has left
 };
