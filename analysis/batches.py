@@ -44,24 +44,27 @@ def _lag_one(pseudo):
 
 
 def _widths(case, quantity, count):
-    """Half widths from this number of batches, NaN where these are too correlated, and the correlations."""
+    """Half widths from this number of batches, and the correlations; NaN, and infinite, where these are too correlated, or where
+    a quantity is not defined when one of them is left out."""
     groups, whole = _batches(case.weight, count), np.asarray(quantity(case), dtype=float)
     total = case.weight[case.weight > 0].sum()
     share = np.array([total / case.weight[blocks].sum() for blocks in groups]).reshape(-1, *[1] * whole.ndim)
     without = np.array([quantity(_without(case, blocks)) for blocks in groups], dtype=float)
     pseudo, number = share * whole - (share - 1) * without, len(groups)
+    is_defined = np.isfinite(pseudo).all(axis=0)
+    pseudo = np.where(is_defined, pseudo, 0)
     variance = ((pseudo - pseudo.mean(axis=0)) ** 2 / (share - 1)).mean(axis=0)
     correlation = _lag_one(pseudo)
     left = np.clip(correlation + CORRELATION_CAUTION / np.sqrt(number), 0, 1 - 1e-9)
     inflation = (1 + left) / (1 - left)
     width = _student_t(np.maximum(number / inflation - 1, LEAST_DEGREES)) * np.sqrt(variance * inflation)
-    is_refused = (number < LEAST_INDEPENDENT * inflation) | (number < LEAST)
+    is_refused = ~is_defined | (number < LEAST_INDEPENDENT * inflation) | (number < LEAST)
     return np.where(is_refused, np.nan, width), np.where(is_refused, np.inf, correlation)
 
 
 def half_width(case, quantity):
     """Half the 95 % interval of `quantity(case)`, a number or an array, NaN where parts of the window are still too
-    correlated; None with too few blocks."""
+    correlated or are needed for it to be defined; None with too few blocks."""
     blocks = int(np.count_nonzero(case.weight > 0))
     if blocks < LEAST:
         return None

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import packages_or_skip
 
@@ -60,6 +61,21 @@ class Intervals(unittest.TestCase):
         self.assertAlmostEqual(widths[0], half_width(Blocks(series[:, 0])), 12)
         self.assertTrue(np.isnan(widths[1]))
         self.assertAlmostEqual(widths[2], 0, delta=1e-12)
+
+    def test_fewer_batches_are_asked_where_a_quantity_is_not_defined_without_one_of_them(self):
+        """As by the table's rule. 40 and 32 batches leave out one of two blocks that belong together, 24 and fewer both."""
+        blocks, pair = Blocks(np.random.default_rng(5).standard_normal(40)), slice(20, 22)
+        with mock.patch.object(batches, "COUNTS", (24, 16, 12, 8)):
+            expected = half_width(blocks)
+        for undefined in (math.nan, math.inf):
+            quantity = lambda each: undefined if each.weight[pair].any() and not each.weight[pair].all() else each.mean()
+            self.assertAlmostEqual(batches.half_width(blocks, quantity), expected, 12)
+
+    def test_what_is_never_defined_has_no_interval(self):
+        series = np.random.default_rng(5).standard_normal((64, 2))
+        widths = batches.half_width(Blocks(series), lambda each: np.array([each.mean()[0], math.nan]))
+        self.assertAlmostEqual(widths[0], half_width(Blocks(series[:, 0])), 12)
+        self.assertTrue(np.isnan(widths[1]))
 
     def test_ninety_five_of_a_hundred_hold_the_truth(self):
         random, rho, given, covered = np.random.default_rng(2017), 0.6, 0, 0
