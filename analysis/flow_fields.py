@@ -4,7 +4,7 @@ Fields are [z][y][x] at the centres of the cells, in units of h, U_b and density
 """
 
 import contextlib
-import functools
+import weakref
 
 from campaign_data import tell
 
@@ -16,13 +16,15 @@ NEIGHBOUR = {"u": 2, "v": 1, "w": 0}  # along which axis a velocity component st
 
 
 class FlowField:
-    """One file. The constructor raises OSError or KeyError where it cannot be read. A checkpoint stays open, because a case
-    that runs removes it when it has written newer ones."""
+    """One file. The constructor raises OSError or KeyError where it cannot be read. A checkpoint stays open for as long as this
+    lives, because a case that runs removes it when it has written newer ones."""
 
     def __init__(self, case, file):
         self.case, self.file = case, file
         self.is_checkpoint = file.name.startswith("checkpoint-")
         self._kept = h5py.File(file) if self.is_checkpoint else None
+        if self._kept:
+            weakref.finalize(self, self._kept.close)
         with self._opened() as data:
             self.time = float(np.ravel(data["time"][()])[0])
             self._names = set(data["fields"] if self.is_checkpoint else data)
@@ -30,33 +32,41 @@ class FlowField:
     def _opened(self):
         return contextlib.nullcontext(self._kept) if self._kept else h5py.File(self.file)
 
-    def _read(self, name):
+    def _read(self, name, rows=slice(None)):
         with self._opened() as data:
-            return data[f"fields/{name}" if self.is_checkpoint else name][:].astype(float)
+            return data[f"fields/{name}" if self.is_checkpoint else name][:, rows].astype(float)
 
-    @functools.cache
-    def field(self, name):
-        """u, v, w or p, or phi where the file holds it. A checkpoint has velocities on the faces of the cells."""
-        values = self._read(name)
+    def field(self, name, rows=slice(None)):
+        """u, v, w or p, or phi where the file holds it, in these rows of cells; no others are read. A checkpoint has velocities
+        on the faces of the cells."""
         if not self.is_checkpoint or name not in NEIGHBOUR:
-            return values
+            return self._read(name, rows)
         if name == "v":
+            first, end, _ = rows.indices(len(self.case.y["center"]))
+            values = self._read(name, slice(first, end + 1))
             return (values[:, :-1] + values[:, 1:]) / 2
+        values = self._read(name, rows)
         return (values + np.roll(values, -1, axis=NEIGHBOUR[name])) / 2
 
     def fluctuation(self, name):
         """u, v or w less its mean over time and plane."""
         return self.field(name) - self.case.mean(name)[1][:, None]
 
-    def plane(self, values, y):
-        """[z][x]: these values of all centres, at the height y."""
-        return self.on_surface(values, np.full((values.shape[0], values.shape[2]), y))
+    def plane(self, name, y):
+        """[z][x]: u, v, w or p at the height y."""
+        return self.on_surface(name, np.full((1, 1), y))
 
-    def on_surface(self, values, height):
-        """[z][x]: these values of all centres, at a height over every column."""
+    def plane_of_fluctuation(self, name, y):
+        return self.plane(name, y) - np.interp(y, *self.case.mean(name))
+
+    def on_surface(self, name, height):
+        """[z][x]: u, v, w or p at a height over every column."""
         centres = self.case.y["center"]
         row = np.clip(np.searchsorted(centres, height) - 1, 0, len(centres) - 2)
         share = np.clip((height - centres[row]) / (centres[row + 1] - centres[row]), 0, 1)
+        first = row.min()
+        values = self.field(name, slice(first, row.max() + 2))
+        row = np.broadcast_to(row - first, (values.shape[0], values.shape[2]))
         at = lambda rows: np.take_along_axis(values, rows[:, None, :], axis=1)[:, 0, :]
         return (1 - share) * at(row) + share * at(row + 1)
 

@@ -48,7 +48,7 @@ class FromMoments:
         self.words = f"{len(moments)} moment{'s' if len(moments) > 1 else ''}"
 
     def rows(self, name, axis):
-        return self.case.y["center"], correlation([moment.fluctuation(name) for moment in self.moments], AXES[axis])
+        return self.case.y["center"], correlation((moment.fluctuation(name) for moment in self.moments), AXES[axis])
 
 
 def source_of(case):

@@ -22,7 +22,7 @@ def near_plane(case):
 
 def draw_plane(panel, case, moment, yt):
     y = case.interface_y - yt
-    fluctuation = moment.plane(moment.fluctuation("u"), y)
+    fluctuation = moment.plane_of_fluctuation("u", y)
     length_x, length_z = case.box
     shades = panel.imshow(fluctuation, origin="lower", extent=(0, length_x, 0, length_z), cmap="RdBu_r", vmin=-RANGE,
                           vmax=RANGE, interpolation="bilinear")

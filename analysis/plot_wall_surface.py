@@ -51,7 +51,7 @@ def draw_surface(panel, case, eta, colour_by, scale, parts=1):
 def surface_of(moment):
     """eta and the pressure there less its mean, [z][x]."""
     eta = moment.interface_height()
-    pressure = moment.on_surface(moment.field("p"), eta)
+    pressure = moment.on_surface("p", eta)
     return eta, pressure - pressure.mean()
 
 

@@ -3,10 +3,12 @@
 Exit 77 (skipped) where h5py or matplotlib is not installed.
 """
 
+import os
 import pathlib
 import sys
 import tempfile
 import unittest
+import weakref
 
 import packages_or_skip
 
@@ -85,11 +87,39 @@ class FlowFields(unittest.TestCase):
     def test_values_on_a_surface_are_interpolated(self):
         self.snapshot()
         field = flow_fields.newest(self.case)
+        with h5py.File(field.file, "r+") as data:
+            data["p"][...] = 3 - 2 * self.case.y["center"][:, None]
         height = np.broadcast_to(moments.eta(), (moments.NZ, moments.NX))
-        linear = np.broadcast_to(3 - 2 * self.case.y["center"][:, None], field.field("u").shape)
-        self.assertLess(abs(field.on_surface(linear, height) - (3 - 2 * height)).max(), 1e-12)
-        self.assertLess(abs(field.plane(linear, 1.234) - (3 - 2 * 1.234)).max(), 1e-12)
+        self.assertLess(abs(field.on_surface("p", height) - (3 - 2 * height)).max(), 1e-12)
+        self.assertLess(abs(field.plane("p", 1.234) - (3 - 2 * 1.234)).max(), 1e-12)
+        self.assertEqual(field.plane("p", 1.234).shape, height.shape)
         self.assertLess(abs(field.fluctuation("u") - (field.field("u") - 0.25)).max(), 1e-12)
+        self.assertLess(abs(field.plane_of_fluctuation("u", 1.234) - (field.plane("u", 1.234) - 0.25)).max(), 1e-12)
+
+    def test_a_plane_takes_the_rows_beside_it_alone(self):
+        self.snapshot()
+        self.checkpoint()
+        for field in flow_fields.flow_fields(self.case):
+            for name, rows in (("u", 2), ("v", 3 if field.is_checkpoint else 2)):
+                read, shapes = field._read, []
+                field._read = lambda *what: shapes.append(read(*what).shape) or read(*what)
+                found = field.plane(name, 1.234)
+                self.assertEqual(shapes, [(moments.NZ, rows, moments.NX)])
+                del field._read
+                row = np.searchsorted(self.case.y["center"], 1.234)
+                whole = field.field(name)[:, row - 1: row + 1]
+                self.assertTrue(((found - whole[:, 0]) * (found - whole[:, 1]) <= 1e-15).all())
+
+    def test_a_checkpoint_is_closed_with_its_moment(self):
+        file = self.checkpoint()
+        field = flow_fields.newest(self.case)
+        self.assertGreater(abs(field.field("u")).max(), 0)
+        open_files = lambda: [os.path.realpath(each) for each in pathlib.Path("/proc/self/fd").iterdir()]
+        self.assertIn(str(file.resolve()), open_files())
+        ended = weakref.ref(field)
+        del field
+        self.assertIsNone(ended())
+        self.assertNotIn(str(file.resolve()), open_files())
 
 
 class Correlations(unittest.TestCase):
@@ -117,6 +147,7 @@ class Surfaces(unittest.TestCase):
 
 if __name__ == "__main__":
     packages_or_skip.needed("h5py", "matplotlib")
+    import h5py
     import numpy as np
 
     import flow_fields
