@@ -4,12 +4,14 @@ its place at rest, and one quantity of the flow in every plane. One picture of t
 --time; or with --film a picture of every moment, from --from on: numbered PNG files in a folder, or one GIF."""
 
 import pathlib
+import re
 
 from campaign_data import arguments, case_called, grids_of, plt, read_campaign, save
 from film_data import NAMES, largest, moments_of, nearest_in_time
 
 import numpy as np
-from matplotlib import animation, cm, colors
+from matplotlib import cm, colors
+from PIL import Image
 
 LABELS = {"u": r"$u/U_b$", "v": r"$v/U_b$", "w": r"$w/U_b$", "p": r"$p/(\rho U_b^2)$", "phi": r"$\phi$"}
 WIDTH, AROUND = 5.2, 0.8  # of the widest plane; above and below each that is taken by words, inches
@@ -94,29 +96,40 @@ def times_of(films):
     return [moment.time for moment in max((moments for _, moments in films), key=len)]
 
 
+def figures_of(picture, times):
+    """One figure of each moment after the other; it is closed when the next one is asked for."""
+    for time in times:
+        figure = picture.draw(lambda moments: nearest_in_time(moments, time))
+        yield figure
+        plt.close(figure)
+
+
+def remove_numbered_from(folder, number):
+    """What an earlier, longer film has left behind the last picture of this one."""
+    for file in folder.glob("*.png"):
+        if re.fullmatch(r"\d{5,}", file.stem) and int(file.stem) >= number:
+            file.unlink()
+
+
 def write_numbered(picture, times, folder):
     folder.mkdir(parents=True, exist_ok=True)
-    for number, time in enumerate(times):
-        figure = picture.draw(lambda moments: nearest_in_time(moments, time))
+    for number, figure in enumerate(figures_of(picture, times)):
         figure.savefig(folder / f"{number:05d}.png")
-        plt.close(figure)
+    remove_numbered_from(folder, len(times))
     print(folder)
 
 
-def write_animated(picture, times, file):
-    """Each moment is drawn by itself and handed on as pixels, so that the frames are those of the numbered files."""
-    frames = []
-    for time in times:
-        figure = picture.draw(lambda moments: nearest_in_time(moments, time))
+def frames_of(picture, times):
+    """The same figures as pixels; none is kept here."""
+    for figure in figures_of(picture, times):
         figure.canvas.draw()
-        frames.append(np.asarray(figure.canvas.buffer_rgba()).copy())
-        plt.close(figure)
-    height, width = frames[0].shape[:2]
-    stage = plt.figure(figsize=(width / 100, height / 100), dpi=100)
-    pixels = stage.figimage(frames[0])
-    film = animation.FuncAnimation(stage, lambda n: pixels.set_data(frames[n]), frames=len(frames))
-    film.save(file, writer=animation.PillowWriter(fps=FRAMES_PER_SECOND), dpi=100)
-    plt.close(stage)
+        yield Image.fromarray(np.array(figure.canvas.buffer_rgba()))
+
+
+def write_animated(picture, times, file):
+    """Pillow takes frame after frame, and keeps a byte a pixel of each."""
+    frames = frames_of(picture, times)
+    next(frames).save(file, save_all=True, append_images=frames, duration=1000 // FRAMES_PER_SECOND, loop=0)
     print(file)
 
 

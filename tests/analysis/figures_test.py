@@ -200,12 +200,32 @@ class Figures(unittest.TestCase):
             pictures = sorted((folder / "film").iterdir())
             self.assertEqual([picture.name for picture in pictures], ["00000.png", "00001.png", "00002.png"])
             self.assertEqual(len({picture.read_bytes() for picture in pictures}), 3, "nothing moves")
-            done = draw(*film, "--from", "130", "-o", folder / "film.gif")
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            for other in ("cover.png", "00007.txt"):
+                (folder / "film" / other).write_text("not of the film")
+            for output in ("film", "film.gif"):
+                done = draw(*film, "--from", "130", "-o", folder / output)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(sorted(file.name for file in (folder / "film").iterdir()),
+                             ["00000.png", "00001.png", "00007.txt", "cover.png"], "a shorter film has taken its place")
             from PIL import Image
 
             with Image.open(folder / "film.gif") as picture:
                 self.assertEqual((picture.format, picture.n_frames), ("GIF", 2))
+
+    def test_frames_of_a_film_are_drawn_one_at_a_time(self):
+        import film_data
+        import plot_planes
+
+        case = mock.Mock(directory=self.campaign / "cases" / "G=1_mu=1")
+        case.name = "G=1"
+        picture = plot_planes.Picture([(case, film_data.moments_of(case))], "u")
+        drawn = []
+        with mock.patch.object(picture, "draw", side_effect=lambda at, draw=picture.draw: drawn.append(1) or draw(at)):
+            frames = plot_planes.frames_of(picture, [0.0, 130.0, 148.0])
+            for number in (1, 2, 3):
+                self.assertEqual(next(frames).mode, "RGBA")
+                self.assertEqual((len(drawn), len(plot_planes.plt.get_fignums())), (number, 1))
+            self.assertEqual((list(frames), plot_planes.plt.get_fignums()), ([], []))
 
     def test_planes_are_those_of_the_time_asked_for(self):
         import film_data
