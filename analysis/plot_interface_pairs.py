@@ -2,6 +2,8 @@
 """Which events the interface and the flow share: joint probability densities of v', p' and the height at the mean interface,
 with their correlation coefficients, from what the solver has summed in the averaging window."""
 
+import copy
+
 from campaign_data import arguments, grids_of, plt, save
 from spectra_data import read_interfaces
 
@@ -14,6 +16,17 @@ SQUARE = {"v": "vv", "p": "pp", "eta": "eta2"}
 MOMENT = {("v", "eta"): "v_eta", ("p", "eta"): "p_eta", ("v", "p"): "vp"}
 RMS_SHOWN = 4  # of each quantity, on either side
 DECADES = 3  # of shades
+
+
+def of_one_time(spectra):
+    """The same spectra, but with means over the time of which there are both sums of the interface and joint distributions, which
+    an earlier version of the solver did not have."""
+    if not spectra.pairs:
+        return spectra
+    begin = max(spectra.interface.start[0], spectra.pairs.start[0])
+    rest = copy.copy(spectra)
+    rest.interface, rest.pairs = spectra.interface.since(begin), spectra.pairs.since(begin)
+    return rest
 
 
 def rms(spectra, name):
@@ -32,6 +45,12 @@ def density(spectra, pair):
     first, second = (spectra.pair_edges[name] / rms(spectra, name) for name in pair)
     share = spectra.pairs.mean(f"share_{pair[0]}_{pair[1]}")
     return first, second, share / np.outer(np.diff(first), np.diff(second))
+
+
+def share_beyond(spectra, pair):
+    """What lies in the outermost bins of either, which hold all beyond."""
+    share = spectra.pairs.mean(f"share_{pair[0]}_{pair[1]}")
+    return share.sum() - share[1:-1, 1:-1].sum()
 
 
 def draw_normal(panel, coefficient):
@@ -54,15 +73,26 @@ def draw(panel, spectra, pair):
                    transform=panel.transAxes)
         return None
     first, second, values = density(spectra, pair)
-    shades = panel.pcolormesh(second, first, np.maximum(values, 10.0**-DECADES), cmap="Greys", rasterized=True,
-                              norm=colors.LogNorm(10.0**-DECADES, 1))
+    shades = panel.pcolormesh(second[1:-1], first[1:-1], np.maximum(values[1:-1, 1:-1], 10.0**-DECADES), cmap="Greys",
+                              rasterized=True, norm=colors.LogNorm(10.0**-DECADES, 1))
     draw_normal(panel, coefficient)
     return shades
 
 
+def words_of_bins(found):
+    """How far the bins reach, and what lies beyond them."""
+    found = [spectra for _, spectra in found if spectra.pairs]
+    if not found:
+        return ""
+    ends = {name: min(spectra.pair_edges[name][-2] for spectra in found) for name in LABEL}
+    beyond = max(share_beyond(spectra, pair) for spectra in found for pair in PAIRS)
+    return (f" The bins end at {ends['v']:.2g} $U_b$ ($v'$), {ends['p']:.2g} $\\rho U_b^2$ ($p'$) and {ends['eta']:.2g} $h$; at most "
+            f"{100 * beyond:.2g} % of the interface lie beyond.")
+
+
 def main():
     options = arguments(__doc__)
-    found = read_interfaces(options)
+    found = [(case, of_one_time(spectra)) for case, spectra in read_interfaces(options)]
     figure, panels = plt.subplots(len(PAIRS), len(found), figsize=(2.8 * len(found) + 1.5, 9), layout="constrained",
                                   squeeze=False)
     shades = [draw(panel, spectra, pair) for column, (_, spectra) in zip(panels.T, found)
@@ -70,10 +100,10 @@ def main():
     for panel, (case, _) in zip(panels[0], found):
         panel.set_title(f"{case.name}\n{panel.get_title()}")
     if drawn := next((each for each in shades if each), None):
-        figure.colorbar(drawn, ax=panels.ravel().tolist(), shrink=0.5, label="density, over the rms of both")
+        figure.colorbar(drawn, ax=panels.ravel().tolist(), shrink=0.5, label="density, times the rms of both")
     save(figure, options, __file__, f"Grid {grids_of(case for case, _ in found)}. Fluctuations about the mean over the plane, at "
                                     "the mean interface; into the layer is up, positive. Lines: a normal distribution with "
-                                    "this correlation, one and two rms.")
+                                    f"this correlation, one and two rms.{words_of_bins(found)}")
 
 
 if __name__ == "__main__":

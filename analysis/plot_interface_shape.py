@@ -2,12 +2,15 @@
 """The height of the interface: its spectra along x and z, and the probability density of its deviation from its mean, from
 what the solver has summed in the averaging window."""
 
+import math
+
 from campaign_data import arguments, grids_of, plt, save
 from spectra_data import read_interfaces, show_decades
 
 import numpy as np
 
 RMS_SHOWN = 5  # of the height, on either side
+LEAST_BINS = 2  # of the height in an rms: from fewer no density can be seen
 
 
 def spectrum(spectra, axis):
@@ -16,13 +19,30 @@ def spectrum(spectra, axis):
     return spectra.wave_numbers(axis)[shown], spectra.spectrum(axis, "eta")[shown]
 
 
+def rms_of(spectra):
+    return math.sqrt(spectra.interface.mean("eta2"))
+
+
+def shape_of(spectra):
+    """Skewness and flatness, from sums that know no bins; NaN of a flat interface."""
+    rms = rms_of(spectra) or math.nan
+    return spectra.interface.mean("eta3") / rms**3, spectra.interface.mean("eta4") / rms**4
+
+
+def is_resolved(spectra):
+    return rms_of(spectra) >= LEAST_BINS * np.diff(spectra.bin_edges).max()
+
+
 def density(spectra):
-    """Deviation over its rms and density times the rms, in the bins; skewness and flatness. NaN of a flat interface."""
-    variance, third, fourth = (spectra.interface.mean(f"eta{n}") for n in (2, 3, 4))
-    rms = np.sqrt(variance) or np.nan
-    edges = spectra.bin_edges / rms
-    return ((edges[1:] + edges[:-1]) / 2, spectra.interface.mean("share") / np.diff(edges),
-            third / rms**3, fourth / rms**4)
+    """Bounds of the bins over the rms, and the density times the rms in each."""
+    edges = spectra.bin_edges / rms_of(spectra)
+    return edges, spectra.interface.mean("share") / np.diff(edges)
+
+
+def normal_density(edges):
+    """Of a normal distribution with rms 1, the mean over each bin."""
+    below = np.array([math.erf(edge / math.sqrt(2)) / 2 for edge in edges])
+    return np.diff(below) / np.diff(edges)
 
 
 def draw_spectra(panels, found):
@@ -37,28 +57,42 @@ def draw_spectra(panels, found):
                   ylabel=rf"$E_{{\eta\eta}}(k_{axis})/h^3$", title=f"({'ab'['xz'.index(axis)]}) along {axis}")
 
 
+def label_of(case, spectra):
+    return "{}: skewness {:.2f}, flatness {:.2f}".format(case.name, *shape_of(spectra))
+
+
 def draw_density(panel, found):
-    """Beside a normal distribution."""
-    x = np.linspace(-RMS_SHOWN, RMS_SHOWN, 201)
-    panel.plot(x, np.exp(-x**2 / 2) / np.sqrt(2 * np.pi), color="grey", linewidth=0.8, label="normal distribution")
-    for case, spectra in found:
-        deviation, values, skewness, flatness = density(spectra)
-        shown = (values > 0) & (abs(deviation) <= RMS_SHOWN)
-        case.draw(panel, deviation[shown], values[shown],
-                  label=f"{case.name}: skewness {skewness:.2f}, flatness {flatness:.2f}")
+    """Beside a normal distribution in the same bins."""
+    for number, (case, spectra) in enumerate(found):
+        edges, values = density(spectra)
+        middle = (edges[1:] + edges[:-1]) / 2
+        inside = abs(middle) <= RMS_SHOWN
+        shown = inside & (values > 0)
+        panel.plot(middle[inside], normal_density(edges)[inside], color="grey", linewidth=0.8,
+                   label=None if number else "normal distribution in the same bins")
+        case.draw(panel, middle[shown], values[shown], label=label_of(case, spectra))
     panel.set(yscale="log", xlim=(-RMS_SHOWN, RMS_SHOWN), ylim=(1e-5, 1), xlabel=r"$(\eta-\overline{\eta})/\eta'$",
               ylabel=r"density $\times\,\eta'$", title="(c)")
-    panel.legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.01, 1))
+    if found:
+        panel.legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.01, 1))
+
+
+def words_of(unresolved):
+    """What (c) leaves out."""
+    walls = "; ".join(label_of(case, spectra) for case, spectra in unresolved)
+    return f" Not in (c), because their rms is below {LEAST_BINS} bins of the height: {walls}." if unresolved else ""
 
 
 def main():
     options = arguments(__doc__)
     found = read_interfaces(options)
+    resolved = [each for each in found if is_resolved(each[1])]
+    unresolved = [each for each in found if not is_resolved(each[1])]
     figure, panels = plt.subplots(1, 3, figsize=(15, 4.5), layout="constrained")
     draw_spectra(panels[:2], found)
-    draw_density(panels[2], found)
+    draw_density(panels[2], resolved)
     save(figure, options, __file__, f"Grid {grids_of(case for case, _ in found)}. Height: lower end of the solid over each "
-                                    "column. Into the layer is up, positive.")
+                                    f"column. Into the layer is up, positive.{words_of(unresolved)}")
 
 
 if __name__ == "__main__":

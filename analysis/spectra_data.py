@@ -4,6 +4,8 @@ Spectra are [mode][row], [block][mode][row] before they are averaged; mode m alo
 The sum over all modes is the mean square about the mean over the plane. Units: h, U_b, density 1.
 """
 
+import copy
+
 from campaign_data import read_campaign, tell
 
 import h5py
@@ -27,6 +29,12 @@ class Means:
 
     def mean(self, name):
         return np.average(self._by_block[name], axis=0, weights=self.weight)
+
+    def since(self, time):
+        """The same from this time on: a block that began before it counts with the part that lies behind it."""
+        rest = copy.copy(self)
+        rest.weight = self.weight * np.clip((self.end - time) / (self.end - self.start), 0, 1)
+        return rest
 
     def names(self):
         return set(self._by_block)

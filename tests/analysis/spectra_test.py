@@ -88,12 +88,27 @@ class SpectraFile(unittest.TestCase):
 
     def test_the_density_of_the_height_has_area_one_and_the_moments_of_a_wave(self):
         spectra = spectra_data.read_spectra(FakeCase(self.folder, 0))
-        deviation, density, skewness, flatness = plot_interface_shape.density(spectra)
-        width = deviation[1] - deviation[0]
-        self.assertAlmostEqual(density.sum() * width, 1, places=6)
-        self.assertAlmostEqual((density * deviation**2).sum() * width, 1, delta=0.02)
+        edges, density = plot_interface_shape.density(spectra)
+        middle, width = (edges[1:] + edges[:-1]) / 2, np.diff(edges)
+        self.assertAlmostEqual((density * width).sum(), 1, places=6)
+        self.assertAlmostEqual((density * middle**2 * width).sum(), 1, delta=0.02)
+        skewness, flatness = plot_interface_shape.shape_of(spectra)
         self.assertAlmostEqual(skewness, 0)
         self.assertAlmostEqual(flatness, 1.5)
+
+    def test_the_normal_density_is_that_of_the_bins(self):
+        """Half of a normal distribution in a bin from 0 to 4 rms has a mean of an eighth there; in narrow bins it is the density."""
+        self.assertAlmostEqual(plot_interface_shape.normal_density(np.array([-4.0, 0, 4]))[0], 0.125, delta=1e-5)
+        narrow = plot_interface_shape.normal_density(np.array([0.999, 1.001]))[0]
+        self.assertAlmostEqual(narrow, np.exp(-0.5) / np.sqrt(2 * np.pi), places=6)
+
+    def test_walls_that_move_less_than_two_bins_have_no_density(self):
+        bin_width = 1 / 256
+        for rms, resolved in ((2.1 * bin_width, True), (1.9 * bin_width, False), (0.0, False)):
+            with h5py.File(self.folder / "spectra.h5", "r+") as data:
+                data["interface/eta2"][...] = rms**2
+            spectra = spectra_data.read_spectra(FakeCase(self.folder, 0))
+            self.assertEqual(plot_interface_shape.is_resolved(spectra), resolved)
 
     def test_joint_densities_have_area_one_and_the_correlation_of_the_wave(self):
         spectra = spectra_data.read_spectra(FakeCase(self.folder, 0))
@@ -104,6 +119,25 @@ class SpectraFile(unittest.TestCase):
             self.assertAlmostEqual(share.sum(), 1)
             middle = [(edges[1:] + edges[:-1]) / 2 for edges in (first, second)]
             self.assertAlmostEqual((share * np.outer(*middle)).sum(), exact, delta=0.02)
+
+    def test_joint_distributions_and_rms_are_of_one_time(self):
+        """The joint distributions began in the middle of the first block of the interface, which moved twice as much then."""
+        with h5py.File(self.folder / "spectra.h5", "r+") as data:
+            data["interface_pairs/start"][0], data["interface_pairs/weight"][0] = 5, 5
+            data["interface/vv"][0] *= 4
+        spectra = plot_interface_pairs.of_one_time(spectra_data.read_spectra(FakeCase(self.folder, 0)))
+        self.assertAlmostEqual(plot_interface_pairs.rms(spectra, "v"), 0.1 * np.sqrt((4 * 5 + 10 + 10) / 25))
+        share = spectra.pairs.mean("share_v_p")
+        self.assertAlmostEqual(share.sum(), 1)
+
+    def test_what_lies_beyond_the_bins_is_not_shown_but_named(self):
+        with h5py.File(self.folder / "spectra.h5", "r+") as data:
+            data["interface_pairs/share_v_p"][:, 20, -1] += 0.01
+        spectra = spectra_data.read_spectra(FakeCase(self.folder, 0))
+        shades = plot_interface_pairs.draw(matplotlib.figure.Figure().subplots(), spectra, ("v", "p"))
+        self.assertEqual(shades.get_array().size, 47 * 47)
+        case = None
+        self.assertRegex(plot_interface_pairs.words_of_bins([(case, spectra)]), r"0\.39 .* at most 1 % of the interface")
 
     def test_where_an_earlier_version_has_summed_no_joint_distribution_the_panel_says_so(self):
         with h5py.File(self.folder / "spectra.h5", "r+") as data:
