@@ -124,9 +124,7 @@ class Case:
         """`profile(case)`, positions and values, as a line with its 95 % interval as a band."""
         x, values = profile(self)
         self.draw(axes, x, values, **more)
-        width = batches.half_width(self, lambda case: profile(case)[1])
-        if width is not None:
-            axes.fill_between(x, values - width, values + width, color=self.colour, alpha=0.2, linewidth=0)
+        draw_band(axes, x, values, batches.half_width(self, lambda case: profile(case)[1]), self.colour)
 
     def result(self, quantity):
         """A measured quantity or its interval, NAME_ci95; NaN when there is none."""
@@ -287,6 +285,12 @@ def caption(cases):
         f"to {spread(ends, one_decimal)} $h/U_b$, {spread([int((c.weight > 0).sum()) for c in cases], str)} blocks, "
         f"{spread([c.weight.sum() for c in cases], one_decimal)} $h/U_b$ sampled."
     )
+
+
+def draw_band(axes, x, values, width, colour):
+    """The 95 % interval of values; nothing where there is none."""
+    if width is not None:
+        axes.fill_between(x, values - width, values + width, color=colour, alpha=0.2, linewidth=0)
 
 
 def levels_within(values, levels):

@@ -11,12 +11,12 @@ import numpy as np
 
 
 class Budget:
-    """Of a case at a Reynolds number with spectra (spectra_data.Spectra) that have a budget."""
+    """Of a case at a Reynolds number from its heights and sums (y and budget of spectra_data.Spectra)."""
 
-    def __init__(self, spectra, reynolds):
-        self.y, faces = spectra.y["center"], spectra.y["face"]
+    def __init__(self, y, sums, reynolds):
+        self.y, faces = y["center"], y["face"]
         self.dy = np.diff(faces)
-        self._mean = {name: spectra.budget.mean(name) for name in spectra.budget.names()}
+        self._mean = {name: sums.mean(name) for name in sums.names()}
         for name in ("rate_u", "rate_kinetic"):  # unknown to earlier versions of the solver
             self._mean.setdefault(name, np.zeros_like(self.y))
         self._gap = np.concatenate([[faces[1]], np.diff(self.y), [self.dy[-1]]])  # between centres, across each face

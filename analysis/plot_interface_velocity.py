@@ -75,7 +75,7 @@ def main():
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.5), layout="constrained")
     plot_softness(axes[0], cases)
     plot_shift(axes[1], cases)
-    save(figure, options, __file__, caption(cases))
+    save(figure, options, __file__, caption(cases) + " Bars: 95 % intervals.")
 
 
 if __name__ == "__main__":

@@ -155,8 +155,8 @@ class EnergyBudgets(unittest.TestCase):
         self.y_face = np.concatenate([np.linspace(0, 2, 41), np.linspace(2.05, 2.5, 10)])
         with tempfile.TemporaryDirectory() as folder:
             moments.write_spectra(pathlib.Path(folder) / "spectra.h5", self.y_face, [0.0, 10, 20], elastic=True)
-            spectra = spectra_data.read_spectra(FakeCase(folder, 0))
-        self.budget = energy_budget.Budget(spectra, 2800.0)
+            self.spectra = spectra_data.read_spectra(FakeCase(folder, 0))
+        self.budget = energy_budget.Budget(self.spectra.y, self.spectra.budget, 2800.0)
         self.arrays, self.production, self.handed_on = moments.budget_of_a_known_flow(self.y_face)
 
     def assert_equal_rows(self, found, exact):
@@ -187,6 +187,27 @@ class EnergyBudgets(unittest.TestCase):
         self.assertAlmostEqual(spent["viscous"], dissipated)
         self.assertAlmostEqual(spent["gained speed"], self.budget.total(self.arrays["rate_kinetic"]))
         self.assertAlmostEqual(rest, driving - dissipated - spent["gained speed"])
+
+
+    def test_terms_have_the_intervals_of_their_blocks(self):
+        """Of a production that follows one series, as of the series itself."""
+        factor = 1 + 0.1 * np.random.default_rng(7).standard_normal(12)
+        with tempfile.TemporaryDirectory() as name:
+            file = pathlib.Path(name) / "spectra.h5"
+            moments.write_spectra(file, self.y_face, [10.0 * n for n in range(13)], elastic=True)
+            with h5py.File(file, "r+") as data:
+                data["budget/factor"] = factor[:, None]
+                data["budget/uv"][...] = data["budget/uv"][:] * factor[:, None]
+            spectra = spectra_data.read_spectra(FakeCase(name, 0))
+        mean = lambda sums: sums.mean("factor")[0]
+        relative = batches.half_width(spectra.budget, mean) / mean(spectra.budget)
+        intervals = plot_energy_budget.intervals_of(spectra, 2800.0)
+        self.assertGreater(relative, 0.01)
+        production = energy_budget.Budget(spectra.y, spectra.budget, 2800.0).terms()["production"]
+        self.assertLess(abs(intervals["production"] - relative * abs(production)).max(), 1e-12)
+        self.assertLess(abs(intervals["dissipation"]).max(), 1e-12)
+        self.assertNotIn("rate of change", intervals)
+        self.assertEqual(plot_energy_budget.intervals_of(self.spectra, 2800.0), {})
 
 
 class SpaceTimeSpectra(unittest.TestCase):
@@ -222,9 +243,11 @@ if __name__ == "__main__":
     import h5py
     import numpy as np
 
+    import batches
     import energy_budget
     import matplotlib.figure
     import moments
+    import plot_energy_budget
     import plot_interface_pairs
     import plot_interface_shape
     import plot_rigid_channel
