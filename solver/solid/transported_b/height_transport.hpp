@@ -16,7 +16,7 @@
 /// stress are two fields that only waves couple: single columns grew out of the surface. So each flow has the
 /// dissipation that a linear fifth-order upwind scheme has for waves of speed c = sqrt(G),
 ///   d eta/dt = ... + c/60 (dx^5 d^6 eta/dx^6 + dz^5 d^6 eta/dz^6),
-/// which in a time dx/c takes 0.3 % from a wave eight columns long, 13 % of four and all of two.
+/// which in a time dx/c takes 0.3 % from a wave eight columns long, 13 % of four and 66 % of two.
 namespace softwall::solid {
 
 class HeightTransport {
