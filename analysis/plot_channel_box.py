@@ -7,7 +7,7 @@ import sys
 
 from campaign_data import arguments, caption, plt, read_campaign, read_reference, save
 import batches
-from plot_rigid_channel import Channel, draw_profile, peak, peak_of
+from plot_rigid_channel import MOSERS_OWN_RE_TAU, RE_TAU_OF_MOSER, Channel, draw_profile, peak, peak_of
 
 COLUMNS = {"u'": "urms_plus", "v'": "vrms_plus", "w'": "wrms_plus"}
 
@@ -31,7 +31,8 @@ def report(channels, reference):
     for channel in channels:
         print(row(channel))
     theirs = [f"{peak(reference['y_plus'], reference[column])[1]:.3f}" for column in COLUMNS.values()]
-    print("| 12.6 x 2 x 4.19 | Moser et al. | 178.5 | " + " | ".join(theirs) + " |")
+    print(f"| 12.6 x 2 x 4.19 | Moser et al., peaks at Re_tau {MOSERS_OWN_RE_TAU:g} | {RE_TAU_OF_MOSER:g} at this bulk Reynolds number | "
+          + " | ".join(theirs) + " |")
 
 
 def draw(axes, channels, reference):

@@ -17,6 +17,7 @@ import batches
 import h5py
 import numpy as np
 
+RE_TAU_OF_MOSER, MOSERS_OWN_RE_TAU = 178.5, 178.12  # scaled to this bulk Reynolds number; of their run, which all else is from
 CORRELATED_AT = (10, 98)  # y+ of the correlations shown
 
 
@@ -133,8 +134,9 @@ def correlations_of(case, y_plus_per_h):
 def compare(channel, reference):
     """Prints every number with a bar."""
     values, ci95 = channel.values, channel.ci95
-    print(f"Re_tau {batches.text(values['re_tau'], ci95['re_tau'], 2)} (Moser et al. scaled to this bulk Reynolds number: 178.5)")
-    judge("abs(Re_tau - 178.5)", abs(values["re_tau"] - 178.5), 1.5)
+    print(f"Re_tau {batches.text(values['re_tau'], ci95['re_tau'], 2)} "
+          f"(Moser et al. scaled to this bulk Reynolds number: {RE_TAU_OF_MOSER:g})")
+    judge(f"abs(Re_tau - {RE_TAU_OF_MOSER:g})", abs(values["re_tau"] - RE_TAU_OF_MOSER), 1.5)
     expected = np.interp(channel.y_plus, reference["y_plus"], reference["U_plus"])
     judge("U+, largest relative difference", max(abs(values["u"] / expected - 1)), 0.015)
     for name, column, bar in (("u'", "urms_plus", 0.03), ("v'", "vrms_plus", 0.03), ("w'", "wrms_plus", 0.03)):
