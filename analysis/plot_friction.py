@@ -6,10 +6,12 @@ import math
 
 import linear_stability
 import mean_profiles
-from campaign_data import LABEL_G, arguments, caption, plt, read_campaign, read_reference, save
+from campaign_data import LABEL_G, arguments, caption, plt, read_campaign, save
 from case_style import line_of
+from paper_points import draw_paper
 
 WALLS = ("re_tau", "re_tau_w")  # upper wall: full symbols; bottom wall: open ones
+SIDEWAYS = 1.05  # factor on G of walls whose viscosity is not the fluid's, so that walls of equal G stand side by side
 WAVELENGTHS = (0.75, 1, 1.5)  # among which the first wave to grow is found at thicknesses near 0.5, h
 RIGID_LINES = ("-", "--", "-.", ":")  # of one on each grid
 
@@ -18,20 +20,8 @@ def marker_of(case):
     return case.marker or ("o" if case.ratio == 1 else ("v" if case.ratio < 1 else "^"))
 
 
-def plot_paper(axes):
-    """The paper gives two values of G for a row, one in its table and half of that in its text: both are drawn."""
-    paper = read_reference("rosti_brandt_2017_tables.csv")
-    usable = paper["viscosity_ratio"] == 1
-    for G, shade, source in (("G_table", "0.35", "table 1"), ("G_text", "0.65", "text")):
-        axes.plot(paper[G][usable], paper["re_tau"][usable], "x:", color=shade, linewidth=0.7,
-                  label=f"paper, upper wall, G as in its {source}")
-        axes.plot(paper[G][usable], paper["re_tau_w"][usable], "+:", color=shade, linewidth=0.7,
-                  label=f"paper, bottom wall, G as in its {source}")
-
-
 def plot_elastic(axes, case):
-    # Cases of equal G stand side by side.
-    G = case.G * (1.0 if case.ratio == 1 else (0.95 if case.ratio < 1 else 1.05))
+    G = case.G * (1 if case.ratio == 1 else 1 / SIDEWAYS if case.ratio < 1 else SIDEWAYS)
     for quantity in WALLS:
         value, half_width = case.result(quantity), case.result(quantity + "_ci95")
         unknown = math.isnan(half_width)
@@ -68,20 +58,29 @@ def plot_onset(axes, cases):
                          label=f"waves grow below $G={found[0]:.2f}$ (linear theory{words})")
 
 
+def words_of_places(cases):
+    """Where points stand that are not at their G."""
+    if all(case.ratio == 1 for case in cases if case.elastic):
+        return ""
+    return (f"\nWalls less viscous than the fluid stand {100 * (SIDEWAYS - 1):.0f} % to the left of their G, more viscous ones as far "
+            "to the right.")
+
+
 def main():
     options = arguments(__doc__)
     cases = read_campaign(options)
     if not any(case.results for case in cases):
         raise SystemExit(f"no results in {options.campaign}/results.db; run `softwall run` there first")
     figure, axes = plt.subplots(figsize=(9, 5), layout="constrained")
-    plot_paper(axes)
+    draw_paper(axes, ("re_tau", "x", "paper, upper wall"), ("re_tau_w", "+", "paper, bottom wall"))
     plot_campaign(axes, cases)
     plot_onset(axes, cases)
     axes.set(xscale="log", xlabel=LABEL_G, ylabel=r"$Re_\tau$, $Re_\tau^w$")
     axes.set_xticks([0.25, 0.5, 1, 2, 4], ["0.25", "0.5", "1", "2", "4"], minor=False)
     axes.minorticks_off()
     axes.legend(fontsize="x-small", loc="center left", bbox_to_anchor=(1.01, 0.5))
-    save(figure, options, __file__, caption(cases) + "\nFull symbols: upper wall; open: bottom wall. Bars: 95 % confidence; pale symbols: none can be given.")
+    save(figure, options, __file__, f"{caption(cases)}\nFull symbols: upper wall; open: bottom wall. Bars: 95 % confidence; pale "
+                                    f"symbols: none can be given.{words_of_places(cases)}")
 
 
 if __name__ == "__main__":
