@@ -81,6 +81,8 @@ def half_width(case, quantity):
 
 
 def text(value, width, digits):
-    """A number with its interval, "178.5 +- 1.2", or "178.5 -" as in the table where there is none."""
+    """A number with its interval, "178.5 +- 1.2", or "178.5 -" as in the table where there is none; "-" without a number."""
+    if np.isnan(value):
+        return "-"
     interval = "-" if width is None or np.isnan(width) else f"+- {width:.{digits}f}"
     return f"{value:.{digits}f} {interval}"

@@ -20,11 +20,13 @@ packages.needed("h5py", "matplotlib", "numpy")
 import batches
 import h5py
 import numpy as np
+from case_defaults import with_defaults
 from case_style import STYLE_HELP, STYLES, choose_styles, plt
 
 PAPER_GRID = "1296x432+108x648"
 REFERENCE = pathlib.Path(__file__).parent / "data"
 LABEL_G = r"$G/(\rho U_b^2)$"
+FLUID_HEIGHT = 2  # h, from the bottom wall to the interface at rest
 
 
 @functools.cache
@@ -49,16 +51,15 @@ class Case:
     def __init__(self, directory, results, start=None):
         self.directory = directory
         definition = json.loads((directory / "case.json").read_text())
-        physics = definition["physics"]
+        physics = with_defaults(definition["physics"])
         self.label = definition.get("label") or directory.name
-        self.reynolds = physics.get("reynolds", 2800.0)
+        self.reynolds = physics["reynolds"]
         self.elastic = physics["flow"] == "elastic_wall"
-        solid = physics.get("solid", {})
-        self.G = solid.get("G", math.inf)
-        self.ratio = solid.get("viscosity_ratio", 1.0)
-        domain = physics.get("domain", {})
-        self.layer_height = domain.get("layer_height", 0.5)
-        self.box = domain.get("length_x", 6.0), domain.get("length_z", 3.0)  # periods in x and z, h
+        solid = physics.get("solid", {"G": math.inf, "viscosity_ratio": 1.0})  # a rigid wall needs none
+        self.G, self.ratio = solid["G"], solid["viscosity_ratio"]
+        domain = physics["domain"]
+        self.layer_height = domain["layer_height"]
+        self.box = domain["length_x"], domain["length_z"]  # periods in x and z, h
         grid = physics["grid"]
         layer = f"+{grid['ny_solid']}" if self.elastic else ""
         self.grid = f"{grid['nx']}x{grid['ny_fluid']}{layer}x{grid['nz']}"
@@ -110,6 +111,13 @@ class Case:
         square = self.interface_y * self.mean("driving_gradient") - self.mean("wall_shear_bottom")
         return math.sqrt(square) if square > 0 else math.nan
 
+    def re_tau_by_block(self, series):
+        """Re_tau of the upper and of the bottom wall in every block of a series of driving gradients and shears at the bottom; NaN
+        where a block has not been sampled, or drags the wall upstream."""
+        bottom = series["wall_shear_bottom"]
+        upper = self.interface_y * series["driving_gradient"] - bottom
+        return [np.sqrt(np.where(square > 0, square, np.nan)) * self.reynolds for square in (upper, bottom)]
+
     @property
     def name(self):
         ratio = "" if not self.elastic or self.ratio == 1 else rf", $\mu^s/\mu^f={self.ratio:g}$"
@@ -131,13 +139,17 @@ class Case:
         value = self.results.get(quantity)
         return math.nan if value is None else value
 
+    def result_text(self, quantity, digits):
+        """A measured quantity with its interval, as in the table."""
+        return batches.text(self.result(quantity), self.result(quantity + "_ci95"), digits)
+
 
 class SeriesCase:
     """One run directory of which the series are all there is: a closed box, an interface wave."""
 
     def __init__(self, directory):
         self.directory = directory
-        self.physics = json.loads((directory / "case.json").read_text())["physics"]
+        self.physics = with_defaults(json.loads((directory / "case.json").read_text())["physics"])
         self.cells = self.physics["grid"]["nx"]
         self.t, self.block_start, self.series = np.array([]), np.array([]), {}
         statistics = directory / "statistics.h5"
@@ -263,8 +275,8 @@ def arguments(description, add_options=None):
 
 
 def mirrored(y, values, sign=1):
-    """A profile of half a symmetric channel, from the wall to the middle, over its whole height 2."""
-    return np.concatenate([y, 2 - y[::-1]]), np.concatenate([values, sign * values[::-1]])
+    """A profile of half a symmetric channel, from the wall to the middle, over its whole height."""
+    return np.concatenate([y, FLUID_HEIGHT - y[::-1]]), np.concatenate([values, sign * values[::-1]])
 
 
 def grids_of(cases):
@@ -298,9 +310,18 @@ def levels_within(values, levels):
     return [level for level in levels if values.min() < level < values.max()]
 
 
+def mark_interface(panel):
+    """Where the interface is at rest."""
+    panel.axvline(FLUID_HEIGHT, color="grey", linewidth=0.5)
+
+
+def verdict(holds):
+    return "holds" if holds else "MISSED"
+
+
 def judge(name, value, bar):
     """One printed line: what was measured, the bar, and whether it holds."""
-    print(f"{name:58s} {value:10.5f}   bar {bar:g}   {'holds' if value <= bar else 'MISSED'}")
+    print(f"{name:58s} {value:10.5f}   bar {bar:g}   {verdict(value <= bar)}")
 
 
 def save(figure, options, script, text):

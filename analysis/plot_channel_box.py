@@ -31,8 +31,8 @@ def report(channels, reference):
     for channel in channels:
         print(row(channel))
     theirs = [f"{peak(reference['y_plus'], reference[column])[1]:.3f}" for column in COLUMNS.values()]
-    print(f"| 12.6 x 2 x 4.19 | Moser et al., peaks at Re_tau {MOSERS_OWN_RE_TAU:g} | {RE_TAU_OF_MOSER:g} at this bulk Reynolds number | "
-          + " | ".join(theirs) + " |")
+    cells = ["12.6 x 2 x 4.19", f"Moser et al., peaks at Re_tau {MOSERS_OWN_RE_TAU:g}", f"{RE_TAU_OF_MOSER:g} at this bulk Reynolds number"]
+    print("| " + " | ".join(cells + theirs) + " |")
 
 
 def draw(axes, channels, reference):

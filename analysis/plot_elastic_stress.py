@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Mean elastic stress in the wall along the flow and across it (the paper, figure 11)."""
 
-from campaign_data import arguments, caption, plt, read_campaign, save
+from campaign_data import arguments, caption, mark_interface, plt, read_campaign, save
 
 
 def normal_stress(case):
     """sigma_11 less what a wall at rest has, so that it is 0 there: phi G (B_xx - 1) of a neo-Hookean solid."""
     y, stress = case.mean("elastic_xx")
-    at_rest = case.G * (1 - 2 * case.physics["solid"].get("mooney_share", 0))
+    at_rest = case.G * (1 - 2 * case.physics["solid"]["mooney_share"])
     return y, stress - at_rest * case.mean("phi")[1]
 
 
@@ -25,7 +25,7 @@ def main():
     for panel, profile, name in zip(axes, (normal_stress, shear_stress), ("11", "12")):
         for case in cases:
             case.draw_profile(panel, profile, label=case.name)
-        panel.axvline(2, color="grey", linewidth=0.5)
+        mark_interface(panel)
         panel.axhline(0, color="grey", linewidth=0.5)
         lowest = min(case.interface_y - 2 * max(case.mean("interface_max"), 0.05) for case in cases)
         panel.set(xlabel=r"$y/h$", ylabel=rf"$\sigma^{{sh}}_{{{name}}}/(\rho U_b^2)$",

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Rms velocity fluctuations and Reynolds shear stress across the channel (the paper, figure 8)."""
 
-from campaign_data import arguments, caption, mirrored, plt, read_campaign, read_reference, save
+from campaign_data import arguments, caption, mark_interface, mirrored, plt, read_campaign, read_reference, save
 
 import numpy as np
 
@@ -27,7 +27,7 @@ def main():
             case.draw_profile(panel, lambda each: each.mean("uv"))
     panel.set(ylabel=r"$\overline{u'v'}/U_b^2$")
     for panel in axes.flat:
-        panel.axvline(2, color="grey", linewidth=0.5)
+        mark_interface(panel)
     for panel in axes[1]:
         panel.set(xlabel=r"$y/h$", xlim=(0, None))
     axes[0, 0].legend(fontsize="x-small")

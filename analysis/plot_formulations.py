@@ -6,20 +6,11 @@ import argparse
 import math
 
 from campaign_data import arguments, plt, read_campaign, save
+from solid_words import formulation_of
 
-import batches
 import numpy as np
 
-LINES = {"reference map": "-", "transported B": "--"}
-
-
-def formulation_of(case):
-    return "transported B" if case.physics["solid"].get("formulation") == "transported_B" else "reference map"
-
-
-def shown(case, quantity, digits):
-    """A mean over the window, with its interval where there is one."""
-    return batches.text(case.result(quantity), case.result(quantity + "_ci95"), digits)
+LINES = {"reference_map": "-", "transported_B": "--"}
 
 
 def cells_along_x(grid):
@@ -31,24 +22,18 @@ def print_table(cases):
     for case in cases:
         width, volume = (case.series.get(name, [math.nan])[-1] for name in ("interface_width_cells", "solid_volume"))
         at_rest = case.box[0] * case.box[1] * case.layer_height
-        print(f"| {case.grid} | {case.G:g} | {formulation_of(case)} | {shown(case, 're_tau', 1)} | {shown(case, 're_tau_w', 1)} | "
-              f"{shown(case, 'delta_max', 4)} | {shown(case, 'delta_rms', 4)} | {width:.1f} | {volume / at_rest - 1:+.1e} |")
-
-
-def friction(case):
-    """Re_tau of the elastic wall, block by block."""
-    square = case.interface_y * case.series["driving_gradient"] - case.series["wall_shear_bottom"]
-    return case.reynolds * np.sqrt(np.maximum(square, 0))
+        print(f"| {case.grid} | {case.G:g} | {formulation_of(case)} | {case.result_text('re_tau', 1)} | {case.result_text('re_tau_w', 1)} | "
+              f"{case.result_text('delta_max', 4)} | {case.result_text('delta_rms', 4)} | {width:.1f} | {volume / at_rest - 1:+.1e} |")
 
 
 def draw(column, cases, grids):
     for case in cases:
-        look = {"color": f"C{grids.index(case.grid)}", "linestyle": LINES[formulation_of(case)],
+        look = {"color": f"C{grids.index(case.grid)}", "linestyle": LINES[case.physics["solid"]["formulation"]],
                 "label": f"{case.grid}, {formulation_of(case)}"}
         t = (case.start + case.end) / 2
         if "interface_rms" in case.series:
             column[0].plot(t, case.series["interface_rms"], **look)
-        column[1].plot(t, friction(case), **look)
+        column[1].plot(t, case.re_tau_by_block(case.series)[0], **look)
     column[0].set(title=f"$G={cases[0].G:g}$", ylabel="rms of the interface, $h$", ylim=(0, None))
     column[1].set(xlabel="$t$, $h/U_b$", ylabel=r"$Re_\tau$, elastic wall")
 

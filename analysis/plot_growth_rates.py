@@ -10,15 +10,16 @@ import sys
 
 import linear_stability
 import mean_profiles
-from campaign_data import SeriesCase, arguments, plt, read_series_campaign, save
+from campaign_data import SeriesCase, arguments, plt, read_series_campaign, save, verdict
 from growth_fit import fitted_rates
+from solid_words import FORMULATIONS
 
 import numpy as np
 
 START, LEAST_TIME, MODES = 6.0, 10.0, 4
 PROBES = ("wave_v_fluid", "wave_v", "wave_v_solid", "wave_height")
 GROWTH_BAR, FREQUENCY_BAR, ORDER_BAR, CELLS_OF_BAR = 0.0015, 0.002, 1.5, 96
-FORMULATIONS = {"reference_map": ("reference map", "-", "o"), "transported_B": ("transported B", ":", "s")}
+LOOKS = {"reference_map": ("-", "o"), "transported_B": (":", "s")}
 
 
 class GrowingWave(SeriesCase):
@@ -27,19 +28,16 @@ class GrowingWave(SeriesCase):
     def __init__(self, directory):
         super().__init__(directory)
         self.exact = self.rate = self.rest = None
-        wave = self.physics.get("wave", {})
-        if wave.get("mean_flow") != "laminar" or "time" not in self.series:
+        if self.physics.get("wave", {}).get("mean_flow") != "laminar" or "time" not in self.series:
             return
-        solid, domain = self.physics["solid"], self.physics.get("domain", {})
-        self.formulation = solid.get("formulation", "reference_map")
-        self.G, self.wavelength = solid["G"], domain.get("length_x", 6.0)
-        reynolds = self.physics.get("reynolds", 2800.0)
+        solid, domain = self.physics["solid"], self.physics["domain"]
+        self.formulation, self.G, self.wavelength = solid["formulation"], solid["G"], domain["length_x"]
         t = self.series["time"]
         used = t >= START
         if not used.any() or t[-1] < START + LEAST_TIME:
             return
-        layer = linear_stability.Layer(self.G, solid.get("viscosity_ratio", 1.0), domain.get("layer_height", 0.5))
-        theory = linear_stability.rates(mean_profiles.laminar(reynolds), layer, self.wavelength, MODES)
+        layer = linear_stability.Layer(self.G, solid["viscosity_ratio"], domain["layer_height"])
+        theory = linear_stability.rates(mean_profiles.laminar(self.physics["reynolds"]), layer, self.wavelength, MODES)
         self.exact = theory[0]
         records = np.array([self.series[name] - 1j * self.series[name + "_sin"] for name in PROBES]).T[used]
         found, self.rest = fitted_rates(t[used], records / np.abs(records).max(axis=0), theory)
@@ -62,14 +60,10 @@ class GrowingWave(SeriesCase):
         return abs(self.rate - self.exact)
 
 
-def verdict(held):
-    return "holds" if held else "MISSED"
-
-
 def print_row(waves):
     """Of one wave and formulation, the coarsest grid first."""
     one = waves[0]
-    print(f"{FORMULATIONS[one.formulation][0]}, G {one.G:g}, wave length {one.wavelength:g}: "
+    print(f"{FORMULATIONS[one.formulation]}, G {one.G:g}, wave length {one.wavelength:g}: "
           f"theory {one.exact.real:.5f} {one.exact.imag:.4f}")
     for case in waves:
         bars = ""
@@ -87,9 +81,9 @@ def print_row(waves):
 
 
 def draw(panels, waves, colour):
-    words, line, marker = FORMULATIONS[waves[0].formulation]
+    line, marker = LOOKS[waves[0].formulation]
     cells = [case.cells for case in waves]
-    label = f"{words}, $G={waves[0].G:g}$, length {waves[0].wavelength:g}"
+    label = f"{FORMULATIONS[waves[0].formulation]}, $G={waves[0].G:g}$, length {waves[0].wavelength:g}"
     for panel, errors in zip(panels, ([abs(case.growth_error) for case in waves],
                                       [100 * abs(case.frequency_error) for case in waves])):
         panel.plot(cells, errors, color=colour, linestyle=line, marker=marker, markersize=4, linewidth=1, label=label)
@@ -102,7 +96,7 @@ def main():
         sys.exit(f"no wave under laminar flow in {options.campaign} has statistics yet; run the campaign first")
     figure, panels = plt.subplots(1, 2, figsize=(12, 4.6), layout="constrained")
     for number, row in enumerate(sorted({case.row for case in waves})):
-        for formulation in FORMULATIONS:
+        for formulation in LOOKS:
             of_row = [case for case in waves if case.row == row and case.formulation == formulation]
             if of_row:
                 print_row(of_row)

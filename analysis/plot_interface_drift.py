@@ -10,24 +10,23 @@ with u = 0 on both walls, u and its stress continuous at the interface, and no f
 
 import math
 
-from campaign_data import arguments, caption, plt, read_campaign, save
-from plot_interface_study import option_of
+from campaign_data import FLUID_HEIGHT, arguments, caption, plt, read_campaign, save
+from solid_words import option_of
 
 import numpy as np
 
-DEPTH = 2.0
 WINDOW = 20.0  # of time, for one growth rate
 STARTED = 6.0  # time after which the sudden start has become the slowest mode
 
 
 def determinant(s, G, nu, nu_s, thickness):
     k, M = np.sqrt(s / nu), nu_s + G / s
-    q, decay = np.sqrt(s / M), np.exp(-k * DEPTH)
+    q, decay = np.sqrt(s / M), np.exp(-k * FLUID_HEIGHT)
     rows = [[1 / s, 1, decay, 0, 0],  # wall under the fluid
             [0, decay, 1, -1, 0],  # velocity at the interface
             [0, -nu * k * decay, nu * k, 0, -M * q],  # stress there
             [1 / s, 0, 0, np.cosh(q * thickness), np.sinh(q * thickness)],  # wall above the layer
-            [DEPTH / s, (1 - decay) / k, (1 - decay) / k, 0, 0]]  # flow of the fluid
+            [FLUID_HEIGHT / s, (1 - decay) / k, (1 - decay) / k, 0, 0]]  # flow of the fluid
     return np.linalg.det(np.array(rows, dtype=complex))
 
 
@@ -92,7 +91,7 @@ def theory_for(case):
 
 
 def swings(case):
-    return case.physics.get("initial", {}).get("amplitude") == 0
+    return case.physics["initial"]["amplitude"] == 0
 
 
 def print_waves(cases):

@@ -4,30 +4,13 @@ grid (runs/validation/interface-study); prints the table that its README shows."
 
 import math
 
-from campaign_data import LABEL_G, arguments, caption, plt, read_campaign, read_reference, save
+from campaign_data import LABEL_G, arguments, caption, plt, read_campaign, save
+from paper_points import draw_paper
+from solid_words import option_of
 
 PANELS = (("re_tau", r"$Re_\tau$, elastic wall"), ("delta_max", r"$\delta/h$"), ("delta_u_plus", r"$\Delta U^+$"))
 MARKERS = "osv^D<>"
-
-
-def option_of(case):
-    """What the solid is made with, in a few words."""
-    solid = case.physics["solid"]
-    if solid.get("formulation") == "transported_B":
-        weno = {"z": "WENO-Z", "js": "WENO-JS"}[solid.get("weno", "z")]
-        interface = solid.get("interface")
-        transport = {"mthinc": "MTHINC", "height": "height"}.get(interface, weno)
-        threshold = solid.get("threshold", 0.9)
-        used = min(threshold, 0.75) if interface == "height" else threshold  # as the solver takes it
-        return f"{transport}, threshold {used:g}"
-    return "reference map"
-
-
-def with_interval(case, quantity, digits):
-    value, interval = case.result(quantity), case.result(quantity + "_ci95")
-    if math.isnan(value):
-        return "-"
-    return f"{value:.{digits}f}" + ("" if math.isnan(interval) else f" +- {interval:.{digits}f}")
+SIDEWAYS = 1.03  # factor on G from one option to the next, so that walls of equal G stand side by side
 
 
 def extreme(case, name, of):
@@ -38,18 +21,10 @@ def print_table(cases):
     print("| grid | G | solid | Re_tau | delta | Delta U+ | width, cells | least eigenvalue | max abs(det B - 1) | t |")
     print("|---|---|---|---|---|---|---|---|---|---|")
     for case in cases:
-        print(f"| {case.grid} | {case.G:g} | {option_of(case)} | {with_interval(case, 're_tau', 1)} | "
-              f"{with_interval(case, 'delta_max', 3)} | {with_interval(case, 'delta_u_plus', 1)} | "
+        print(f"| {case.grid} | {case.G:g} | {option_of(case)} | {case.result_text('re_tau', 1)} | "
+              f"{case.result_text('delta_max', 3)} | {case.result_text('delta_u_plus', 1)} | "
               f"{extreme(case, 'interface_width_cells', lambda width: width[-1])} | "
               f"{extreme(case, 'min_eigenvalue', min)} | {extreme(case, 'max_det_error', max)} | {case.end[-1]:g} |")
-
-
-def draw_paper(panel, quantity):
-    paper = read_reference("rosti_brandt_2017_tables.csv")
-    usable = paper["viscosity_ratio"] == 1
-    for column, shade, source in (("G_table", "0.35", "table 1"), ("G_text", "0.65", "text")):
-        panel.plot(paper[column][usable], paper[quantity][usable], "x:", color=shade, linewidth=0.8,
-                   label=f"paper, G as in its {source}")
 
 
 def main():
@@ -63,19 +38,20 @@ def main():
         n = names.index(option_of(case))
         for panel, (quantity, _) in zip(axes[grids.index(case.grid)], PANELS):
             interval = case.result(quantity + "_ci95")
-            panel.errorbar(case.G * 1.03 ** (n - len(names) // 2), case.result(quantity),
+            panel.errorbar(case.G * SIDEWAYS ** (n - len(names) // 2), case.result(quantity),
                            None if math.isnan(interval) else interval, marker=MARKERS[n % len(MARKERS)],
                            color=f"C{n}", capsize=3, linestyle="none", label=option_of(case))
     for row, grid in zip(axes, grids):
         for panel, (quantity, label) in zip(row, PANELS):
-            draw_paper(panel, quantity)
+            draw_paper(panel, (quantity, "x", "paper"))
             panel.set(xscale="log", xlabel=LABEL_G, ylabel=label, title=grid, xlim=(0.2, 2.5))
             panel.set_xticks([0.25, 0.5, 1, 2], ["0.25", "0.5", "1", "2"], minor=False)
             panel.minorticks_off()
     handles, labels = axes[0, 0].get_legend_handles_labels()
     first = dict(zip(labels[::-1], handles[::-1]))
     axes[0, 0].legend(first.values(), first.keys(), fontsize="xx-small")
-    save(figure, options, __file__, caption(cases) + " Bars: 95 % confidence.")
+    save(figure, options, __file__, f"{caption(cases)} Bars: 95 % confidence. Walls of equal G stand side by side, "
+                                    f"{100 * (SIDEWAYS - 1):.0f} % of it apart.")
 
 
 if __name__ == "__main__":

@@ -9,7 +9,8 @@ velocities the same.
 import math
 import sys
 
-from campaign_data import SeriesCase, arguments, judge, plt, read_reference, read_series_campaign, save
+from campaign_data import SeriesCase, arguments, judge, plt, read_reference, read_series_campaign, save, verdict
+from solid_words import FORMULATIONS
 
 import numpy as np
 
@@ -17,7 +18,7 @@ SCALE = 2
 PERIODS = 2  # that a rate is fitted to, of the exact frequency
 PROBES = ("wave_v_fluid", "wave_v", "wave_v_solid")
 FREQUENCY_BAR, DECAY_BAR, ORDER_BAR, ORDER_FLOOR = 0.01, 0.05, 1.5, 0.001
-FORMULATIONS = {"reference_map": ("reference map", "-"), "transported_B": ("transported B", ":")}
+LINES = {"reference_map": "-", "transported_B": ":"}
 MARKERS = {0: "o", 1: "s"}  # by mode
 
 
@@ -44,11 +45,13 @@ class Wave(SeriesCase):
 
     def __init__(self, directory):
         super().__init__(directory)
-        solid, wave = self.physics.get("solid", {}), self.physics.get("wave", {})
-        self.formulation = solid.get("formulation", "reference_map")
-        self.given = complex(-wave.get("decay", 0), wave.get("frequency", 1))
-        period = 2 * math.pi / self.given.imag
         self.rate = None
+        if self.physics["flow"] != "interface_wave":
+            return
+        wave = self.physics["wave"]
+        self.formulation = self.physics["solid"]["formulation"]
+        self.given = complex(-wave["decay"], wave["frequency"])
+        period = 2 * math.pi / self.given.imag
         if "time" in self.series and self.series["time"][-1] >= PERIODS * period:
             used = self.series["time"] <= PERIODS * period
             records = np.array([self.series[name][used] for name in PROBES])
@@ -80,10 +83,10 @@ def judge_order(errors):
     pairs = [(coarse, fine) for coarse, fine in zip(errors, errors[1:]) if coarse >= ORDER_FLOOR]
     if pairs:
         order = math.log2(pairs[-1][0] / pairs[-1][1])
-        verdict = f"{order:10.2f}   bar {ORDER_BAR:g}   {'holds' if order >= ORDER_BAR else 'MISSED'}"
+        words = f"{order:10.2f}   bar {ORDER_BAR:g}   {verdict(order >= ORDER_BAR)}"
     else:
-        verdict = f"{'-':>10s}   below {100 * ORDER_FLOOR:g} % on all grids"
-    print(f"{'  order of the rate':58s} {verdict}")
+        words = f"{'-':>10s}   below {100 * ORDER_FLOOR:g} % on all grids"
+    print(f"{'  order of the rate':58s} {words}")
 
 
 def print_row(name, waves, exact):
@@ -132,13 +135,13 @@ def main():
     if not cases:
         sys.exit(f"no interface wave in {options.campaign} has statistics yet; run the campaign first")
     figure, (heights, *errors) = plt.subplots(1, 3, figsize=(15, 4.6), layout="constrained")
-    for formulation, (words, line) in FORMULATIONS.items():
+    for formulation, line in LINES.items():
         for n, row in enumerate(rows):
             waves = [case for case in cases if case.formulation == formulation and case.is_of(row)]
             if not waves:
                 continue
             exact = complex(row["re_s"], row["im_s"])
-            print_row(f"{words}, {name_of(row)}", waves, exact)
+            print_row(f"{FORMULATIONS[formulation]}, {name_of(row)}", waves, exact)
             style = {"color": f"C{n // 2}", "linestyle": line, "linewidth": 1}  # one colour for the modes of a layer
             known = formulation == "reference_map"
             mode = {"marker": MARKERS[row["mode"]], "markerfacecolor": "none" if row["mode"] else style["color"]}

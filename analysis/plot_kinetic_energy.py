@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Turbulent kinetic energy across the channel in the units of each wall (the paper, figure 9)."""
 
-from campaign_data import arguments, caption, mirrored, plt, read_campaign, read_reference, save
+from campaign_data import arguments, caption, mark_interface, mirrored, plt, read_campaign, read_reference, save
 
 
 def kinetic_energy(case):
@@ -30,7 +30,7 @@ def main():
         panel.plot(*mirrored(reference["y_over_h"], reference["k_plus"]), "k+", markersize=4, label="rigid, Moser et al. (1999)")
         for case in cases:
             case.draw_profile(panel, in_units_of(wall), label=case.name)
-        panel.axvline(2, color="grey", linewidth=0.5)
+        mark_interface(panel)
         panel.set(xlabel=r"$y/h$", ylabel=rf"$\mathcal{{K}}/{unit}$", xlim=(0, None), ylim=(0, None))
     axes[0].set_title("(a) units of the bottom wall")
     axes[1].set_title("(b) units of the upper wall")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Mean velocity across the channel, and in wall units of the bottom wall (the paper, figure 5)."""
 
-from campaign_data import arguments, caption, mirrored, plt, read_campaign, read_reference, save
+from campaign_data import arguments, caption, mark_interface, mirrored, plt, read_campaign, read_reference, save
 
 import numpy as np
 
@@ -11,7 +11,7 @@ def plot_outer(axes, cases, reference):
               label=r"rigid, Moser et al. (1999), $Re_\tau=178$")
     for case in cases:
         case.draw_profile(axes, lambda each: each.mean("u"), label=case.name)
-    axes.axvline(2, color="grey", linewidth=0.5)
+    mark_interface(axes)
     axes.set(xlabel=r"$y/h$", ylabel=r"$\overline{u}/U_b$", xlim=(0, None), ylim=(0, None), title="(a)")
 
 

@@ -3,7 +3,7 @@
 
 import math
 
-from campaign_data import arguments, caption, plt, read_campaign, save
+from campaign_data import arguments, caption, mark_interface, plt, read_campaign, save
 
 PARTS = (("viscous_stress", 1, "viscous", "tab:blue"), ("uv", -1, r"$-\overline{u'v'}$", "tab:orange"),
          ("elastic_stress", 1, "elastic", "tab:green"))
@@ -21,7 +21,7 @@ def plot_case(axes, case):
     axes.plot(y, total / scale, color="black", label="total")
     line = 1 - case.mean("driving_gradient") * y / scale
     axes.plot(y, line, "r--", linewidth=0.9, label=r"$1-Py/(u^w_\tau)^2$")
-    axes.axvline(2, color="grey", linewidth=0.5)
+    mark_interface(axes)
     axes.set(title=f"{case.name}", xlim=(0, y[-1]))
 
 

@@ -8,18 +8,10 @@ from transient import end_of_transient
 import numpy as np
 
 
-def walls(case, series):
-    """Re_tau of the upper and of the bottom wall in every block, from its driving gradient and the shear at the bottom
-    (README.md, Definitions 1 and 2); NaN in a block that has not been sampled."""
-    bottom = series["wall_shear_bottom"]
-    upper = case.interface_y * series["driving_gradient"] - bottom
-    return [np.sqrt(np.where(stress > 0, stress, np.nan)) * case.reynolds for stress in (upper, bottom)]
-
-
 def panels_of(case, series):
     """What stands in the four panels; nothing where a rigid wall has none."""
     variance = series.get("interface_variance")
-    return [*walls(case, series), series.get("interface_max"), None if variance is None else np.sqrt(variance)]
+    return [*case.re_tau_by_block(series), series.get("interface_max"), None if variance is None else np.sqrt(variance)]
 
 
 def main():

@@ -3,11 +3,12 @@
 
 from box_data import LEVEL, read_box_campaign
 from campaign_data import arguments, judge, plt, save
+from solid_words import TRANSPORTS, transport_of
 
 import numpy as np
 
 FINE = 16  # points a cell on which areas are counted
-TRANSPORTS = {"js": ("tab:blue", "WENO, Jiang-Shu"), "z": ("tab:red", "WENO, Z"), "mthinc": ("tab:green", "MTHINC")}
+COLOURS = {"js": "tab:blue", "z": "tab:red", "mthinc": "tab:green"}
 BARS = {64: 0.010, 128: 0.004}  # of Jiang-Shu weights, by points per diameter
 
 
@@ -28,11 +29,6 @@ def errors(begin, end):
     return between, spread, end.phi.sum() / begin.phi.sum() - 1
 
 
-def transport_of(solid):
-    """What carries phi."""
-    return "mthinc" if solid.get("interface", "weno") == "mthinc" else solid.get("weno", "z")
-
-
 def main():
     options = arguments(__doc__)
     cases = read_box_campaign(options.campaign, "rotation")
@@ -40,8 +36,8 @@ def main():
     figure, panels = plt.subplots(1, len(sizes), figsize=(5 * len(sizes), 5), layout="constrained", squeeze=False)
     for case in cases:
         panel = panels[0][sizes.index(case.cells)]
-        transport = transport_of(case.physics["solid"])
-        colour, name = TRANSPORTS[transport]
+        transport = transport_of(case)
+        colour, name = COLOURS[transport], TRANSPORTS[transport]
         snapshots = case.snapshots()
         begin, end = snapshots[0], snapshots[-1]
         between, spread, drift = errors(begin, end)

@@ -109,6 +109,7 @@ class Intervals(unittest.TestCase):
         self.assertEqual(batches.text(178.52, 1.234, 1), "178.5 +- 1.2")
         self.assertEqual(batches.text(178.52, math.nan, 1), "178.5 -")
         self.assertEqual(batches.text(178.52, None, 1), "178.5 -")
+        self.assertEqual(batches.text(math.nan, math.nan, 1), "-")
 
 
 if __name__ == "__main__":
