@@ -3,18 +3,16 @@
 shear stress and two-point correlations, with 95 % intervals; prints every number that a bar is set on.
 
 Both halves of the channel count as one. Profiles come from statistics.h5; correlations from spectra.h5, which has them exactly,
-or where a case has none from the snapshots in fields/.
+or where a case has none from single moments of the flow.
 """
 
 import math
 import sys
 
-from campaign_data import arguments, caption, judge, plt, read_campaign, read_reference, save
-from flow_fields import autocorrelation
-from spectra_data import read_spectra
+from campaign_data import FLUID_HEIGHT, arguments, caption, draw_band, judge, plt, read_campaign, read_reference, save
+from correlations import source_of
 
 import batches
-import h5py
 import numpy as np
 
 RE_TAU_OF_MOSER, MOSERS_OWN_RE_TAU = 178.5, 178.12  # scaled to this bulk Reynolds number; of their run, which all else is from
@@ -71,64 +69,20 @@ def peak_of(channel, y_plus, name):
     return *peak(y_plus, values), channel.ci95[name][np.argmax(values)]
 
 
-class FromSpectra:
+class Correlations:
     """R_ii(separation) / R_ii(0) along x and z in the rows nearest to given distances from the walls."""
 
-    def __init__(self, spectra, y_plus_per_h):
-        self.words = f"the spectra of {spectra.flow.weight.sum():.0f} $h/U_b$"
-        self.separation = {axis: spectra.length[axis] / n * np.arange(n // 2 + 1) for axis, n in spectra.columns.items()}
-        self.along = {axis: {(name, at): self._of_both_halves(spectra, axis, name, at / y_plus_per_h)
-                             for name in "uvw" for at in CORRELATED_AT} for axis in "xz"}
+    def __init__(self, source, y_plus_per_h):
+        self.words, self.separation, self.along = source.words, {}, {"x": {}, "z": {}}
+        for axis, found in self.along.items():
+            for name in "uvw":
+                self.separation[axis], heights, rows = source.rows(name, axis)
+                for at in CORRELATED_AT:
+                    found[name, at] = self._of_both_halves(heights, rows, at / y_plus_per_h)
 
     @staticmethod
-    def _of_both_halves(spectra, axis, name, y):
-        rows, heights = spectra.correlation(axis, name), spectra.heights(name)
-        return np.mean([rows[np.argmin(abs(heights - each))] for each in (y, 2 - y)], axis=0)
-
-
-class FromSnapshots:
-    """The same of snapshots, of which there is at least one."""
-
-    def __init__(self, case, files, y_plus_per_h):
-        self.words = f"{len(files)} snapshots"
-        self.rows = {at: int(np.argmin(abs(case.y["center"] * y_plus_per_h - at))) for at in CORRELATED_AT}
-        planes = {(name, at): self._planes(files, name, row) for name in "uvw" for at, row in self.rows.items()}
-        with h5py.File(files[0]) as data:
-            self.separation = {axis: np.diff(data[axis][:2])[0] * np.arange((len(data[axis]) - 1) // 2 + 1)
-                               for axis in "xz"}
-        self.along = {axis: {key: self._correlate(values, number) for key, values in planes.items()}
-                      for number, axis in ((2, "x"), (1, "z"))}
-
-    @staticmethod
-    def _planes(files, name, row):
-        """Fluctuation in the row and in its mirror image, [sample][z][x]."""
-        planes = []
-        for file in files:
-            with h5py.File(file) as data:
-                planes += [data[name][:, row, :], data[name][:, data[name].shape[1] - 1 - row, :]]
-        planes = np.array(planes, dtype=float)
-        for half in (planes[0::2], planes[1::2]):
-            half -= half.mean()
-        return planes
-
-    @staticmethod
-    def _correlate(planes, axis):
-        """Autocorrelation of [sample][z][x] along an axis, averaged over the rest, over its value at 0."""
-        correlation = autocorrelation(planes, axis).mean(axis=tuple({0, 1, 2} - {axis}))
-        return correlation / correlation[0]
-
-
-def time_of(snapshot):
-    with h5py.File(snapshot) as data:
-        return float(np.ravel(data["time"][()])[0])
-
-
-def correlations_of(case, y_plus_per_h):
-    """Those that are known best, or None where there are none in the averaging window."""
-    if spectra := read_spectra(case):
-        return FromSpectra(spectra, y_plus_per_h)
-    files = [file for file in sorted(case.directory.glob("fields/fields-*.h5")) if time_of(file) >= case.start[0]]
-    return FromSnapshots(case, files, y_plus_per_h) if files else None
+    def _of_both_halves(heights, rows, y):
+        return np.mean([rows[np.argmin(abs(heights - each))] for each in (y, FLUID_HEIGHT - y)], axis=0)
 
 
 def compare(channel, reference):
@@ -157,7 +111,7 @@ def draw_profile(panel, y, channel, name, colour, label=None):
     """A profile with its interval, labelled with its own name unless told otherwise."""
     value, interval = channel.values[name], channel.ci95[name]
     panel.plot(y, value, color=colour, label=label or (f"${name}^+$" if name != "u" else "$U^+$"))
-    panel.fill_between(y, value - interval, value + interval, color=colour, alpha=0.3, linewidth=0)
+    draw_band(panel, y, value, interval, colour)
 
 
 def draw_profiles(axes, channel, reference):
@@ -217,7 +171,8 @@ def main():
     channel = Channel(case)
     reference = read_reference("mkm180_profiles.csv")
     compare(channel, reference)
-    correlations = correlations_of(case, channel.values["re_tau"])
+    source = source_of(case)
+    correlations = Correlations(source, channel.values["re_tau"]) if source else None
     figure, axes = plt.subplots(3 if correlations else 1, 3, figsize=(12, 10.5), layout="constrained", squeeze=False)
     draw_profiles(axes[0], channel, reference)
     if correlations:
@@ -225,7 +180,7 @@ def main():
         for row, axis in enumerate("xz", start=1):
             draw_correlations(axes[row], correlations, axis)
             axes[row, 2].set_axis_off()
-    save(figure, options, __file__, caption([case]) + (f" Correlations from {correlations.words}." if correlations else ""))
+    save(figure, options, __file__, caption([case]) + (f" Correlations: {correlations.words}." if correlations else ""))
 
 
 if __name__ == "__main__":

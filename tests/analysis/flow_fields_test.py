@@ -129,10 +129,15 @@ class Correlations(unittest.TestCase):
                  * np.ones((1, 2, 1)))
         field[:, 1] = 0  # a row at rest
         for axis, exact in ((2, np.cos(2 * np.pi * 3 * x[:17])), (0, (1 + np.cos(2 * np.pi * 2 * z[:13]) / 2) / 1.5)):
-            found = plot_correlations.correlation([field, 2 * field], axis)
+            found = correlations.correlation([field, 2 * field], axis)
             self.assertEqual(found.shape, (2, len(exact)))
             self.assertLess(abs(found[0] - exact).max(), 1e-12)
             self.assertTrue((found[1] == 0).all())
+
+    def test_separations_are_whole_cells(self):
+        """Of an odd number none is half the period."""
+        for cells, exact in ((4, (0, 1.5, 3)), (5, (0, 1.2, 2.4))):
+            self.assertLess(abs(correlations._separations(6.0, cells) - exact).max(), 1e-12)
 
 
 class Surfaces(unittest.TestCase):
@@ -150,9 +155,9 @@ if __name__ == "__main__":
     import h5py
     import numpy as np
 
+    import correlations
     import flow_fields
     import moments
-    import plot_correlations
     import plot_wall_surface
     import transient
     unittest.main(argv=sys.argv[:1])

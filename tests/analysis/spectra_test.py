@@ -69,13 +69,14 @@ class SpectraFile(unittest.TestCase):
         with h5py.File(self.folder / "spectra.h5", "r+") as data:
             for axis in "xz":  # each row has other correlations
                 data[f"spectra/{axis}_v"][:, 2] += 0.01 * np.arange(len(self.y_face) - 1, dtype="f4")
-        spectra = spectra_data.read_spectra(FakeCase(self.folder, 0))
-        found = plot_rigid_channel.FromSpectra(spectra, 100)  # y+ = 98 is y = 0.98 and 1.02
+        case = FakeCase(self.folder, 0)
+        spectra, source = spectra_data.read_spectra(case), correlations.source_of(case)
+        found = plot_rigid_channel.Correlations(source, 100)  # y+ = 98 is y = 0.98 and 1.02
         for axis, n, length in (("x", moments.NX, moments.LENGTH_X), ("z", moments.NZ, moments.LENGTH_Z)):
             self.assertAlmostEqual(found.separation[axis][-1], length / 2)
             rows, row_of = spectra.correlation(axis, "v"), lambda y: np.argmin(abs(self.y_face - y))
             expected = (rows[row_of(0.2)] + rows[row_of(1.8)]) / 2
-            at_low = plot_rigid_channel.FromSpectra(spectra, 50).along[axis]["v", 10]
+            at_low = plot_rigid_channel.Correlations(source, 50).along[axis]["v", 10]
             self.assertLess(abs(at_low - expected).max(), 1e-14)
             self.assertEqual(found.along[axis]["u", 98].shape, (n // 2 + 1,))
 
@@ -244,6 +245,7 @@ if __name__ == "__main__":
     import numpy as np
 
     import batches
+    import correlations
     import energy_budget
     import matplotlib.figure
     import moments
