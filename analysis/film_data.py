@@ -63,6 +63,5 @@ def nearest_in_time(moments, time):
 
 def largest(moments, names, quantity):
     """Largest magnitude in any of these planes, but for the outermost thousandth of the cells: a scale for all moments."""
-    found = [moment.plane(name, quantity) for moment in moments for name in names]
-    found = [np.quantile(abs(values), 0.999) for values in found if values is not None]
-    return float(max(found, default=0.0))
+    planes = (moment.plane(name, quantity) for moment in moments for name in names)  # a film may be larger than the memory
+    return float(max((np.quantile(abs(values), 0.999) for values in planes if values is not None), default=0.0))
