@@ -34,8 +34,8 @@ def is_resolved(spectra):
 
 
 def density(spectra):
-    """Bounds of the bins over the rms, and the density times the rms in each."""
-    edges = spectra.bin_edges / rms_of(spectra)
+    """Bounds of the bins over the rms, and the density times the rms in each; NaN of a flat interface."""
+    edges = spectra.bin_edges / (rms_of(spectra) or math.nan)
     return edges, spectra.interface.mean("share") / np.diff(edges)
 
 
@@ -57,42 +57,37 @@ def draw_spectra(panels, found):
                   ylabel=rf"$E_{{\eta\eta}}(k_{axis})/h^3$", title=f"({'ab'['xz'.index(axis)]}) along {axis}")
 
 
-def label_of(case, spectra):
-    return "{}: skewness {:.2f}, flatness {:.2f}".format(case.name, *shape_of(spectra))
-
-
 def draw_density(panel, found):
-    """Beside a normal distribution in the same bins."""
-    for number, (case, spectra) in enumerate(found):
+    """Beside a normal distribution in the same bins. Walls that have too few bins are in the legend alone, which also names the
+    lines of the other panels."""
+    for case, spectra in found:
         edges, values = density(spectra)
         middle = (edges[1:] + edges[:-1]) / 2
-        inside = abs(middle) <= RMS_SHOWN
+        inside = (abs(middle) <= RMS_SHOWN) & is_resolved(spectra)
         shown = inside & (values > 0)
-        panel.plot(middle[inside], normal_density(edges)[inside], color="grey", linewidth=0.8,
-                   label=None if number else "normal distribution in the same bins")
-        case.draw(panel, middle[shown], values[shown], label=label_of(case, spectra))
+        panel.plot(middle[inside], normal_density(edges)[inside], color="grey", linewidth=0.8)
+        case.draw(panel, middle[shown], values[shown],
+                  label="{}: skewness {:.2f}, flatness {:.2f}".format(case.name, *shape_of(spectra)))
+    panel.plot([], [], color="grey", linewidth=0.8, label="normal distribution in the same bins")
     panel.set(yscale="log", xlim=(-RMS_SHOWN, RMS_SHOWN), ylim=(1e-5, 1), xlabel=r"$(\eta-\overline{\eta})/\eta'$",
               ylabel=r"density $\times\,\eta'$", title="(c)")
-    if found:
-        panel.legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.01, 1))
+    panel.legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.01, 1))
 
 
-def words_of(unresolved):
+def words_of_bins(found):
     """What (c) leaves out."""
-    walls = "; ".join(label_of(case, spectra) for case, spectra in unresolved)
-    return f" Not in (c), because their rms is below {LEAST_BINS} bins of the height: {walls}." if unresolved else ""
+    names = ", ".join(case.name for case, spectra in found if not is_resolved(spectra))
+    return f" Not drawn in (c), because the rms is below {LEAST_BINS} bins of the height: {names}." if names else ""
 
 
 def main():
     options = arguments(__doc__)
     found = read_interfaces(options)
-    resolved = [each for each in found if is_resolved(each[1])]
-    unresolved = [each for each in found if not is_resolved(each[1])]
     figure, panels = plt.subplots(1, 3, figsize=(15, 4.5), layout="constrained")
     draw_spectra(panels[:2], found)
-    draw_density(panels[2], resolved)
+    draw_density(panels[2], found)
     save(figure, options, __file__, f"Grid {grids_of(case for case, _ in found)}. Height: lower end of the solid over each "
-                                    f"column. Into the layer is up, positive.{words_of(unresolved)}")
+                                    f"column. Into the layer is up, positive.{words_of_bins(found)}")
 
 
 if __name__ == "__main__":

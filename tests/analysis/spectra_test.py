@@ -7,6 +7,7 @@ import pathlib
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import packages_or_skip
 
@@ -110,6 +111,12 @@ class SpectraFile(unittest.TestCase):
                 data["interface/eta2"][...] = rms**2
             spectra = spectra_data.read_spectra(FakeCase(self.folder, 0))
             self.assertEqual(plot_interface_shape.is_resolved(spectra), resolved)
+            panel, case = matplotlib.figure.Figure().subplots(), mock.Mock()
+            case.name = "wall"
+            plot_interface_shape.draw_density(panel, [(case, spectra)])
+            _, x, values = case.draw.call_args.args
+            self.assertEqual((len(x) > 0, len(values) > 0), (resolved, resolved))
+            self.assertEqual("wall" in plot_interface_shape.words_of_bins([(case, spectra)]), not resolved)
 
     def test_joint_densities_have_area_one_and_the_correlation_of_the_wave(self):
         spectra = spectra_data.read_spectra(FakeCase(self.folder, 0))
