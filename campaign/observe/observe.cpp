@@ -28,11 +28,10 @@ void observe_ladder(const RunFiles& run, Observation& observation) {
       observation.step = std::max(observation.step, header.step);
       observation.time = std::max(observation.time, header.time);
       return;
-    } catch (const std::system_error& error) {
+    } catch (const std::runtime_error& error) {
+      if (!tells_nothing_of_contents(error)) continue;  // it will be set aside before the next launch
       observation.needs_person = file.filename().string() + ": " + error.what();
       return;
-    } catch (const std::runtime_error&) {
-      continue;  // it will be set aside before the next launch
     }
   }
 }

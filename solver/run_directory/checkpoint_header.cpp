@@ -75,16 +75,14 @@ void check_whole_numbers(const json& object) {
   const json& grid = object.at("grid");
   bool right = grid.is_array() && std::all_of(grid.begin(), grid.end(), whole);
   for (const char* name : {"step", "bytes", "attempt", "ranks"}) right &= whole(object.at(name));
-  if (!right) throw std::runtime_error("its header has a fraction where a whole number belongs");
+  if (!right) throw CheckpointOfAnotherVersion("its header has a fraction where a whole number belongs");
 }
 
-CheckpointHeader header_from(json object) {
-  const std::string check = object.at("check");
-  object.erase("check");
-  if (check != header_check(object)) throw std::runtime_error("its header is damaged");
+/// From the members of a header that is as its writer left it.
+CheckpointHeader header_from(const json& object) {
   if (const json& format = object.at("format"); format != kFormat)
-    throw std::runtime_error("it has format " + format.dump() + ", this program reads format " +
-                             std::to_string(kFormat));
+    throw CheckpointOfAnotherVersion("it has format " + format.dump() + ", this program reads format " +
+                                     std::to_string(kFormat));
   check_whole_numbers(object);
   CheckpointHeader header;
   header.format = kFormat;
@@ -100,8 +98,19 @@ CheckpointHeader header_from(json object) {
   header.attempt = object.at("attempt");
   header.ranks = object.at("ranks");
   // A number too large for its member, or a member that this format does not have.
-  if (members_of(header) != object) throw std::runtime_error("its header is not one of this format");
+  if (members_of(header) != object)
+    throw CheckpointOfAnotherVersion("its header is not one of this program's format");
   return header;
+}
+
+/// Throws unless the header is as its writer left it. What cannot be read after this is not damaged.
+json checked_members(json object) {
+  const auto check = object.find("check");
+  if (check == object.end()) throw std::runtime_error("its header is incomplete");
+  const json told = *check;
+  object.erase(check);
+  if (told != header_check(object)) throw std::runtime_error("its header is damaged");
+  return object;
 }
 
 /// The system's refusal, which says nothing about what is in the file.
@@ -171,12 +180,18 @@ std::string format_header(const CheckpointHeader& header) {
 
 CheckpointHeader read_checkpoint_header(const std::filesystem::path& file) {
   try {
-    return header_from(header_object(header_text(file), file));
+    return header_from(checked_members(header_object(header_text(file), file)));
   } catch (const BadInput&) {
     throw std::runtime_error("its header is damaged");
   } catch (const json::exception&) {
-    throw std::runtime_error("its header is incomplete");
+    throw CheckpointOfAnotherVersion("its header lacks a member of this program's format");
   }
+}
+
+bool tells_nothing_of_contents(const std::exception& refusal) {
+  return dynamic_cast<const std::runtime_error*>(&refusal) == nullptr ||  // out of memory
+         dynamic_cast<const std::system_error*>(&refusal) != nullptr ||
+         dynamic_cast<const CheckpointOfAnotherVersion*>(&refusal) != nullptr;
 }
 
 CheckpointVerdict verify_checkpoint(const std::filesystem::path& file, const std::string& case_id) {
@@ -184,11 +199,8 @@ CheckpointVerdict verify_checkpoint(const std::filesystem::path& file, const std
   try {
     verify(file, case_id, verdict.header);
     verdict.valid = true;
-  } catch (const std::runtime_error& error) {
-    verdict.unreadable = dynamic_cast<const std::system_error*>(&error) != nullptr;
-    verdict.reason = file.filename().string() + ": " + error.what();
-  } catch (const std::exception& error) {  // out of memory
-    verdict.unreadable = true;
+  } catch (const std::exception& error) {
+    verdict.unreadable = tells_nothing_of_contents(error);
     verdict.reason = file.filename().string() + ": " + error.what();
   }
   return verdict;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -32,17 +33,26 @@ struct CheckpointHeader {
 
 struct CheckpointVerdict {
   bool valid = false;
-  bool unreadable = false;  ///< not valid only because the system did not let us read it (permissions, I/O
-                            ///< error): nothing is known about what it holds
-  std::string reason;       ///< why not valid; empty when valid
+  bool unreadable =
+      false;           ///< not valid only because we cannot read it: nothing is known about what it holds
+  std::string reason;  ///< why not valid; empty when valid
   CheckpointHeader header;
 };
+
+/// The header is whole, but none that this program can read: another version has written it.
+struct CheckpointOfAnotherVersion : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Whether who could not read a checkpoint for this reason knows nothing about what it holds: the system did
+/// not let us read it (permissions, I/O error, no memory), or it is of another version.
+[[nodiscard]] bool tells_nothing_of_contents(const std::exception& refusal);
 
 /// Exactly kCheckpointHeaderBytes. Throws std::length_error if the text would not fit.
 [[nodiscard]] std::string format_header(const CheckpointHeader& header);
 
 /// Only the header; says nothing about the data behind it. Throws std::runtime_error with the reason;
-/// std::system_error where the system did not let us read it.
+/// std::system_error where the system did not let us read it, CheckpointOfAnotherVersion where it is of one.
 [[nodiscard]] CheckpointHeader read_checkpoint_header(const std::filesystem::path& file);
 
 /// Reads the whole file: header, size, digest, whether it is of this case and of the step that its name says.

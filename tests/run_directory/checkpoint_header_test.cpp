@@ -4,9 +4,12 @@
 #include <xxhash.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <span>
 
+#include "solver/case/case_id.hpp"
+#include "solver/case/hexadecimal.hpp"
 #include "tests/case/examples.hpp"
 
 namespace softwall {
@@ -51,6 +54,16 @@ std::string bytes_of(const std::filesystem::path& file) {
 
 void rewrite(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
+}
+
+/// These members as a header block with a check that fits.
+std::string sealed(nlohmann::json members) {
+  members.erase("check");
+  const std::string checked = canonical_text(members);
+  members["check"] = hexadecimal(digest_piece(std::as_bytes(std::span(checked))));
+  std::string text = canonical_text(members);
+  text.resize(kCheckpointHeaderBytes - 1, ' ');
+  return text + '\n';
 }
 
 std::string refusal(const std::filesystem::path& file) {
@@ -165,6 +178,29 @@ TEST_F(Checkpoint, RefusalsSayWhy) {
   EXPECT_NE(refusal(file).find("format 2"), std::string::npos) << refusal(file);
   rewrite(file, std::string(5000, '\0'));
   EXPECT_NE(refusal(file).find("header is damaged"), std::string::npos) << refusal(file);
+}
+
+/// Its writer may have meant it otherwise than we read it, but nothing in it is damaged.
+TEST_F(Checkpoint, AHeaderOfAnotherVersionSaysNothingOfTheContents) {
+  const auto file = run_.checkpoint(1);
+  CheckpointHeader newer = example(1);
+  newer.format = 2;
+  write_checkpoint(file, "data", newer);
+  EXPECT_TRUE(verify_checkpoint(file, kId).unreadable);
+  std::string damaged = bytes_of(file);
+  damaged[damaged.find(kId)] = 'x';
+  rewrite(file, damaged);
+  EXPECT_FALSE(verify_checkpoint(file, kId).unreadable);
+
+  write_checkpoint(file, "data", example(1));
+  nlohmann::json members = nlohmann::json::parse(bytes_of(file).substr(0, kCheckpointHeaderBytes));
+  members["steps_per_block"] = 7;
+  rewrite(file, sealed(members) + "data");
+  EXPECT_TRUE(verify_checkpoint(file, kId).unreadable);
+  members.erase("steps_per_block");
+  members.erase("ranks");
+  rewrite(file, sealed(members) + "data");
+  EXPECT_TRUE(verify_checkpoint(file, kId).unreadable);
 }
 
 TEST_F(Checkpoint, LadderIsNewestFirstByContent) {

@@ -145,5 +145,20 @@ TEST_F(ObserveTest, BadCheckpointsAreSetAsideAndGoodOnesNotTouched) {
   EXPECT_TRUE(check_ladder(run_, id_).set_aside.empty());
 }
 
+/// Whoever has gone back to an older program for a moment keeps what the newer one has computed.
+TEST_F(ObserveTest, ACheckpointOfAnotherVersionIsLeftAlone) {
+  test::write_checkpoint(run_, id_, 10, 1.0);
+  const auto newest = test::write_checkpoint(run_, id_, 20, 2.0);
+  CheckpointHeader header = read_checkpoint_header(newest);
+  header.format = 2;
+  write_header(newest, header);
+  const Ladder ladder = check_ladder(run_, id_);
+  EXPECT_FALSE(ladder.newest);
+  EXPECT_TRUE(ladder.set_aside.empty());
+  EXPECT_NE(ladder.unreadable.find("format 2"), std::string::npos) << ladder.unreadable;
+  EXPECT_TRUE(std::filesystem::exists(newest));
+  EXPECT_EQ(look().needs_person, ladder.unreadable);
+}
+
 }  // namespace
 }  // namespace softwall::campaign
