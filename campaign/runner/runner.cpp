@@ -131,9 +131,15 @@ void Runner::start(const Action& action) {
     return pause(one, error.what());
   }
   if (!ladder.unreadable.empty()) return pause(one, ladder.unreadable);
-  const bool lost = !ladder.newest && checkpoints_are_lost(run, action.case_id);
-  if (lost && !book_.may_start_over()) return pause(one, kNoCheckpointLeft);
+  if (!ladder.newest && !book_.may_start_over() && had_checkpoints(one)) return pause(one, kNoCheckpointLeft);
   launch(one, action, ladder);
+}
+
+/// By what is left in its run directory or, where that is gone, by what the store remembers.
+bool Runner::had_checkpoints(const CampaignCase& one) const {
+  const std::string& id = one.definition.id;
+  return checkpoints_are_lost(book_.files_of(one), id) ||
+         store_.find_case(id).value_or(CaseRecord{}).had_checkpoints;
 }
 
 /// The case is not started again before a person runs the campaign again.

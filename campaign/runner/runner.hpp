@@ -64,6 +64,7 @@ class Runner {
   [[nodiscard]] bool adopt(const CampaignCase& one);
   void start_as_many_as_fit();
   void start(const Action& action);
+  [[nodiscard]] bool had_checkpoints(const CampaignCase& one) const;
   void pause(const CampaignCase& one, const std::string& reason);
   void launch(const CampaignCase& one, const Action& action, const Ladder& ladder);
   void record_not_started(const CampaignCase& one, int attempt, const AttemptEnd& end);

@@ -55,6 +55,15 @@ void restore_newest_attempt(Store& store, const CampaignCase& one, const RunFile
   store.restore_attempt(id, newest, start, describe_end(one, run, newest));
 }
 
+/// A run directory that is gone, or empty, tells nothing about a case that has come far.
+void record_state(Store& store, const std::string& case_id, const Observation& seen) {
+  const auto known = store.find_case(case_id);
+  if (seen.state != CaseState::kNew || !known || !known->had_checkpoints)
+    store.set_state(case_id, seen.state, seen.reason);
+  else if (known->state == CaseState::kRunning)
+    store.set_state(case_id, CaseState::kInterrupted, kNoCheckpointLeft);
+}
+
 bool is_same_window(const ResultOrigin& origin, const analysis::DerivedQuantities& derived) {
   return origin.analysis_version == analysis::kAnalysisVersion &&
          origin.window_asked == derived.window_asked && origin.window_start == derived.window_start &&
@@ -105,7 +114,7 @@ void import_history(Store& store, const CampaignCase& one, const RunFiles& run, 
   restore_history(store, one, run);
   restore_newest_attempt(store, one, run);
   import_checkpoints(store, id, run);
-  if (!seen.running) store.set_state(id, seen.state, seen.reason);
+  record_state(store, id, seen);
 }
 
 void import_running_attempt(Store& store, const CampaignCase& one, const RunFiles& run,
@@ -170,6 +179,10 @@ Observation with_history(Observation observation, const CaseRecord& known) {
     observation.state = known.state;
     observation.reason = known.state_reason;
   }
+  // A disk that is not mounted, or a run directory that somebody has cleared.
+  const bool is_over = observation.state == CaseState::kFinished || observation.state == CaseState::kDiverged;
+  const bool has_none = !observation.newest_checkpoint && observation.needs_person.empty();
+  if (known.had_checkpoints && !is_over && has_none) observation.needs_person = kNoCheckpointLeft;
   return observation;
 }
 

@@ -43,7 +43,8 @@ bool import_result_so_far(Store& store, const CampaignCase& campaign_case, const
 /// Whether statistics.h5 of a case cannot be used: missing, damaged, or of another case.
 [[nodiscard]] bool statistics_are_damaged(const RunFiles& run, const std::string& case_id);
 
-/// An observation completed by what only the store knows: failures and ends without a summary.
+/// An observation completed by what only the store knows: failures, ends without a summary, and checkpoints
+/// that are gone.
 [[nodiscard]] Observation with_history(Observation observation, const CaseRecord& known);
 
 }  // namespace softwall::campaign

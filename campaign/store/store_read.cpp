@@ -51,6 +51,8 @@ class AttemptTally {
     record_.attempts = attempt;
     record_.seconds_per_step = row.integer(7) != 0 ? row.real(6) / static_cast<double>(row.integer(7)) : 0.0;
     record_.measured_ranks = static_cast<int>(row.integer(8));
+    // Whoever ends in order leaves a checkpoint of its last step: a store made anew knows no older ones.
+    if (step > 0 && (outcome == "finished" || outcome == "interrupted")) record_.had_checkpoints = true;
     if (outcome == "finished") {
       record_.reached_time = std::max(record_.reached_time, row.real(5));
       record_.reached_step = std::max(record_.reached_step, step);
@@ -74,14 +76,25 @@ CaseRecord& record_of(const std::string& case_id, std::unordered_map<std::string
                       const std::filesystem::path& store) {
   const auto record = records.find(case_id);
   if (record != records.end()) return record->second;
-  throw SqliteError(store.string() + ": damaged: it knows attempts of case " + case_id + ", and not the case",
-                    SQLITE_CORRUPT);
+  throw SqliteError(
+      store.string() + ": damaged: it knows what became of case " + case_id + ", and not the case",
+      SQLITE_CORRUPT);
 }
 
-/// Two passes, one over the cases and one over their attempts: the answer to one question about both takes
-/// SQLite several times as long. The rows may be of all cases or of one.
-std::unordered_map<std::string, CaseRecord> records_in(const std::filesystem::path& store, Statement cases,
-                                                       Statement attempts) {
+constexpr std::string_view kCheckpoints = "SELECT case_id, step FROM checkpoints";
+
+void add_checkpoint(const Statement& row, CaseRecord& record) {
+  record.had_checkpoints = record.had_checkpoints || row.integer(1) > 0;
+}
+
+/// Answers about cases, their attempts and their checkpoints: of all cases or of one.
+struct CaseRows {
+  Statement cases, attempts, checkpoints;
+};
+
+/// One pass over each: the answer to one question about all of them takes SQLite several times as long.
+std::unordered_map<std::string, CaseRecord> records_in(const std::filesystem::path& store, CaseRows rows) {
+  auto& [cases, attempts, checkpoints] = rows;
   std::unordered_map<std::string, CaseRecord> records;
   std::unordered_map<std::string, int> forgiven;
   while (cases.step()) {
@@ -99,6 +112,7 @@ std::unordered_map<std::string, CaseRecord> records_in(const std::filesystem::pa
     }
     tally->add(attempts);
   }
+  while (checkpoints.step()) add_checkpoint(checkpoints, record_of(checkpoints.text(0), records, store));
   return records;
 }
 
@@ -136,15 +150,20 @@ PastAttempt past_attempt_in(const Statement& row) {
 std::optional<CaseRecord> Store::find_case(const std::string& case_id) const {
   static const std::string kCase = std::string(kAllCases) + " WHERE case_id = ?";
   static const std::string kAttemptsOfCase = std::string(kAttempts) + " WHERE case_id = ? ORDER BY attempt";
-  auto found = records_in(connection_.file(), connection_.query(kCase, case_id),
-                          connection_.query(kAttemptsOfCase, case_id));
+  static const std::string kCheckpointsOfCase = std::string(kCheckpoints) + " WHERE case_id = ?";
+  auto found =
+      records_in(connection_.file(), {.cases = connection_.query(kCase, case_id),
+                                      .attempts = connection_.query(kAttemptsOfCase, case_id),
+                                      .checkpoints = connection_.query(kCheckpointsOfCase, case_id)});
   if (found.empty()) return std::nullopt;
   return std::move(found.begin()->second);
 }
 
 std::unordered_map<std::string, CaseRecord> Store::all_cases() const {
   static const std::string kAllAttempts = std::string(kAttempts) + " ORDER BY case_id, attempt";
-  return records_in(connection_.file(), connection_.query(kAllCases), connection_.query(kAllAttempts));
+  return records_in(connection_.file(), {.cases = connection_.query(kAllCases),
+                                         .attempts = connection_.query(kAllAttempts),
+                                         .checkpoints = connection_.query(kCheckpoints)});
 }
 
 int Store::attempts(const std::string& case_id) const {

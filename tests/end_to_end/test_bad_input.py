@@ -143,8 +143,8 @@ class DamagedCheckpoint(EndToEndTest):
         campaign.kill_all(runner)
         return campaign
 
-    def finish_and_compare(self, campaign):
-        answer = campaign.call("resume")
+    def finish_and_compare(self, campaign, *options):
+        answer = campaign.call("resume", *options)
         self.assertEqual(answer.returncode, 0, answer.stderr)
         reference = self.campaign(self.document)
         self.run_to_end(reference)
@@ -198,7 +198,7 @@ class DamagedCheckpoint(EndToEndTest):
         shutil.rmtree(campaign.directory("G=1"))
         newest = campaign.checkpoints("precursor")[0]
         os.truncate(newest, HEADER_BYTES + 100)
-        self.finish_and_compare(campaign)
+        self.finish_and_compare(campaign, "--start-over")
 
     def test_a_damaged_case_file_or_summary_is_no_obstacle(self):
         campaign = self.interrupted()

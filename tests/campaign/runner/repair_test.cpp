@@ -68,6 +68,35 @@ TEST_F(LadderTest, ACaseThatHadCheckpointsDoesNotStartOverUnasked) {
   EXPECT_EQ(run(launcher, options).finished, 5U);
 }
 
+/// A disk that is not mounted, or a scratch that was purged.
+TEST_F(LadderTest, ACaseWhoseRunDirectoryIsGoneDoesNotStartOverUnasked) {
+  std::filesystem::remove_all(files().directory);
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  for (int i = 0; i < 2; ++i) {
+    const RunnerReport report = run(launcher);
+    ASSERT_EQ(report.unfinished.size(), 1U);
+    EXPECT_NE(report.unfinished[0].reason.find("--start-over"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(files().directory));
+  }
+  EXPECT_EQ(launcher.started.size(), 3U) << "the others go on";
+  RunnerOptions options;
+  options.start_over = true;
+  EXPECT_EQ(run(launcher, options).finished, 5U);
+}
+
+TEST_F(RunnerTest, AFinishedCaseWhoseRunDirectoryIsGoneKeepsItsResultAndIsNotComputedAgain) {
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  run(launcher);
+  std::filesystem::remove_all(folder_.path() / "cases");
+  FakeLauncher second([&](const LaunchRequest& request) { return finish(request); });
+  const RunnerReport report = run(second);
+  EXPECT_EQ(report.unfinished.size(), 5U);
+  EXPECT_TRUE(second.started.empty());
+  Store known = store();
+  EXPECT_EQ(tests::answer(known, "SELECT count(*) FROM results WHERE state = 'finished' AND re_tau > 0"),
+            "5");
+}
+
 /// It was killed after it had written history.json and before the store had the same.
 TEST_F(RunnerTest, RecordsTheEndThatAKilledRunnerHadSeen) {
   campaign_.cases.resize(1);
