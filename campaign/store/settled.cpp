@@ -14,7 +14,8 @@ bool is_settled(const CampaignCase& one, const CaseRecord& known, const RunFiles
       !has_reached(known.reached_time, one.definition.run.end_time))
     return false;
   const std::string changed = change_time(run.directory), of_checkpoints = change_time(run.checkpoints());
-  return !changed.empty() && std::max(changed, of_checkpoints) < known.state_since;
+  return !changed.empty() &&
+         std::max(changed, of_checkpoints) < std::max(known.state_since, known.checkpoints_seen);
 }
 
 Observation settled_observation(const CampaignCase& one, const CaseRecord& known) {

@@ -11,8 +11,8 @@
 #include "solver/run_directory/run_files.hpp"
 
 /// A settled case has finished, the store knows it, and nothing in its run directory was made, replaced or
-/// removed since: no file of it needs to be opened, and nobody can work there. Precursors never are: others
-/// start from their checkpoints.
+/// removed since the store was last brought up to it: no file of it needs to be opened, and nobody can work
+/// there. Precursors never are: others start from their checkpoints.
 namespace softwall::campaign {
 
 /// Asks the file system for two times: of the run directory and of its checkpoints.

@@ -33,6 +33,7 @@ struct CaseRecord {
   double seconds_per_step = 0.0;  ///< wall clock of the newest attempt; 0: not known
   int measured_ranks = 0;         ///< on which that was measured
   std::string state_since;        ///< ISO 8601 UTC
+  std::string checkpoints_seen;   ///< when they were last looked at, ISO 8601 UTC; empty: there were none
   bool had_checkpoints = false;   ///< of a later step than the first
   std::string stale_reason;       ///< empty: not stale
   int attempts = 0;

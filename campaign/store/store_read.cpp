@@ -81,10 +81,11 @@ CaseRecord& record_of(const std::string& case_id, std::unordered_map<std::string
       SQLITE_CORRUPT);
 }
 
-constexpr std::string_view kCheckpoints = "SELECT case_id, step FROM checkpoints";
+constexpr std::string_view kCheckpoints = "SELECT case_id, step, seen FROM checkpoints";
 
 void add_checkpoint(const Statement& row, CaseRecord& record) {
   record.had_checkpoints = record.had_checkpoints || row.integer(1) > 0;
+  record.checkpoints_seen = std::max(record.checkpoints_seen, row.text(2));
 }
 
 /// Answers about cases, their attempts and their checkpoints: of all cases or of one.

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "campaign/observe/observe.hpp"
+#include "campaign/store/import_results.hpp"
 #include "tests/campaign/observe/run_directory_files.hpp"
 #include "tests/campaign/runner/fake_launcher.hpp"
 #include "tests/campaign/store/recorded_campaign.hpp"
@@ -72,6 +73,15 @@ TEST_F(SettledTest, EndsWhenACheckpointIsRemoved) {
   let_time_pass();
   std::filesystem::remove(checkpoint);
   EXPECT_FALSE(settled(one));
+}
+
+/// All that a copy of the campaign's folder holds has changed later than the store knows.
+TEST_F(SettledTest, BeginsAnewWhenTheStoreIsBroughtUpToACopy) {
+  test::write_checkpoint(run, one.definition.id, 500, one.definition.run.end_time);
+  ASSERT_FALSE(settled(one));
+  let_time_pass();
+  import_checkpoints(store, one.definition.id, run);
+  EXPECT_TRUE(settled(one));
 }
 
 /// What it says is what its files would say, and none of them is opened.
