@@ -70,19 +70,27 @@ void CaseBook::mark_running(const CampaignCase& one, Presence presence) {
 }
 
 void CaseBook::look_at_starting_points() {
-  for (const CampaignCase& one : campaign_.cases) {
-    Observation& now = observations_[index_of(one.definition.id)];
-    if (!one.starts_others || now.state != CaseState::kFinished || !is_needed(one)) continue;
-    const Ladder ladder = check(one);
-    now.newest_checkpoint = ladder.newest;
-    if (ladder.newest && has_reached(ladder.header.time, one.definition.run.end_time)) continue;
-    now.state = CaseState::kInterrupted;
-    now.reason = "its last checkpoint was damaged";
-    now.step = ladder.newest ? ladder.header.step : 0;
-    now.time = ladder.newest ? ladder.header.time : 0.0;
-    if (!ladder.newest && !may_start_over_) now.needs_person = kNoCheckpointLeft;
-    if (!ladder.unreadable.empty()) now.needs_person = ladder.unreadable;
+  for (const CampaignCase& one : campaign_.cases) look_at_starting_point(one);
+}
+
+void CaseBook::look_at_starting_point(const CampaignCase& one) {
+  Observation& now = observations_[index_of(one.definition.id)];
+  if (!one.starts_others || now.state != CaseState::kFinished || !is_needed(one)) return;
+  Ladder ladder;
+  try {
+    ladder = check(one);
+  } catch (const std::system_error& error) {
+    ladder.unreadable = error.what();
   }
+  now.newest_checkpoint = ladder.newest;
+  now.needs_person = ladder.unreadable;
+  if (!ladder.unreadable.empty()) return;  // nothing else is known of it than that it has finished
+  if (ladder.newest && has_reached(ladder.header.time, one.definition.run.end_time)) return;
+  now.state = CaseState::kInterrupted;
+  now.reason = "its last checkpoint was damaged";
+  now.step = ladder.newest ? ladder.header.step : 0;
+  now.time = ladder.newest ? ladder.header.time : 0.0;
+  if (!ladder.newest && !may_start_over_) now.needs_person = kNoCheckpointLeft;
 }
 
 void CaseBook::give_up(const CampaignCase& one, const std::string& reason) {

@@ -45,8 +45,10 @@ class CaseBook {
   void mark_unfinished(const CampaignCase& one, const std::filesystem::path& last_checkpoint,
                        const std::string& reason);
   /// A finished case from which others have yet to start is of use to them only with its last checkpoint: if
-  /// that is damaged, it is to go on from an older one, which gives the same last checkpoint again.
+  /// that is damaged, it is to go on from an older one, which gives the same last checkpoint again. If it
+  /// cannot be read at present, they wait.
   void look_at_starting_points();
+  void look_at_starting_point(const CampaignCase& one);
 
   /// Neither is started again in this run. A case that is given up would fail again unchanged; a paused one
   /// waits until somebody has put right what is in its way.

@@ -97,6 +97,25 @@ TEST_F(RunnerTest, AFinishedCaseWhoseRunDirectoryIsGoneKeepsItsResultAndIsNotCom
             "5");
 }
 
+/// A file where the folder should be stands for every folder that cannot be read.
+TEST_F(RunnerTest, CasesWaitForAStartThatCannotBeReadAtPresent) {
+  FakeLauncher first([&](const LaunchRequest& request) {
+    return case_of(request.case_id).is_precursor ? finish(request) : 1;
+  });
+  run(first);
+  const RunFiles precursor = run_files(folder_.path(), campaign_.cases[0]);
+  std::filesystem::remove_all(precursor.checkpoints());
+  std::ofstream(precursor.checkpoints()) << "no folder";
+  FakeLauncher second([&](const LaunchRequest& request) { return finish(request); });
+  const RunnerReport report = run(second);
+  EXPECT_EQ(report.finished, 1U);
+  EXPECT_TRUE(report.failed.empty());
+  ASSERT_EQ(report.unfinished.size(), 4U);
+  EXPECT_NE(report.unfinished[0].reason.find("checkpoints cannot be read"), std::string::npos)
+      << report.unfinished[0].reason;
+  EXPECT_TRUE(second.started.empty());
+}
+
 /// It was killed after it had written history.json and before the store had the same.
 TEST_F(RunnerTest, RecordsTheEndThatAKilledRunnerHadSeen) {
   campaign_.cases.resize(1);
