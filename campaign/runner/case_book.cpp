@@ -130,8 +130,11 @@ std::size_t CaseBook::index_of(const std::string& case_id) const {
 bool CaseBook::is_needed(const CampaignCase& start) const {
   const auto found = started_by_.find(start.definition.id);
   if (found == started_by_.end()) return false;
-  return std::ranges::any_of(found->second,
-                             [&](std::size_t i) { return observations_[i].state != CaseState::kFinished; });
+  return std::ranges::any_of(found->second, [&](std::size_t i) {
+    const Observation& seen = observations_[i];
+    const bool is_over = seen.state == CaseState::kFinished || seen.state == CaseState::kDiverged;
+    return !is_over && !seen.running && !seen.newest_checkpoint;
+  });
 }
 
 }  // namespace softwall::campaign

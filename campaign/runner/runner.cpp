@@ -244,7 +244,7 @@ void Runner::record_state(const CampaignCase& one, const AttemptEnd& end) {
   if (end.outcome == AttemptOutcome::kIoFailure) book_.pause(one, "disk full or I/O error: " + end.reason);
   if (end.outcome == AttemptOutcome::kBadCase) book_.give_up(one, end.reason);
   book_.look_at(one, files, store_.find_case(id).value_or(CaseRecord{}));
-  if (one.starts_others) book_.look_at_starting_points();
+  book_.look_at_starting_point(one);
   const bool is_finished = book_.seen(one).state == CaseState::kFinished;
   progress_.event(describe_end_of_attempt(one, end, book_.seen(one)),
                   is_finished                                   ? Progress::Kind::kGood

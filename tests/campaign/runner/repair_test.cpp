@@ -116,6 +116,22 @@ TEST_F(RunnerTest, CasesWaitForAStartThatCannotBeReadAtPresent) {
   EXPECT_TRUE(second.started.empty());
 }
 
+/// Its checkpoint is read in full where somebody has yet to start from it, and nowhere else.
+TEST_F(RunnerTest, AStartThatNobodyNeedsAnyMoreIsNotLookedAt) {
+  FakeLauncher first([&](const LaunchRequest& request) {
+    if (case_of(request.case_id).is_precursor) return finish(request);
+    test::write_checkpoint(RunFiles{request.run_directory}, request.case_id, 500, 1.0);
+    return 1;
+  });
+  run(first);
+  const RunFiles precursor = run_files(folder_.path(), campaign_.cases[0]);
+  std::filesystem::resize_file(precursor.checkpoint(1000), 4096);
+  FakeLauncher second([&](const LaunchRequest& request) { return finish(request); });
+  EXPECT_EQ(run(second).finished, 5U);
+  EXPECT_EQ(second.started.size(), 4U);
+  EXPECT_TRUE(std::filesystem::exists(precursor.checkpoint(1000)));
+}
+
 /// It was killed after it had written history.json and before the store had the same.
 TEST_F(RunnerTest, RecordsTheEndThatAKilledRunnerHadSeen) {
   campaign_.cases.resize(1);
