@@ -9,9 +9,8 @@
 #include "campaign/core/words.hpp"
 #include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/left_over.hpp"
-#include "campaign/observe/observe.hpp"
 #include "campaign/runner/campaign_lock.hpp"
-#include "campaign/store/import_results.hpp"
+#include "campaign/store/import_directories.hpp"
 #include "campaign/store/store_schema.hpp"
 #include "campaign/store/text_width.hpp"
 #include "solver/case/atomic_file.hpp"
@@ -72,46 +71,22 @@ class Workshop {
   std::filesystem::path place_;
 };
 
-struct Count {
-  int results = 0, without = 0;
-};
-
-Count fill(Store& store, const LoadedCampaign& loaded, const std::vector<CampaignCase>& left_over) {
+ImportedDirectories fill(Store& store, const LoadedCampaign& loaded,
+                         const std::vector<CampaignCase>& left_over) {
   const auto launcher = make_launcher(loaded.campaign.execution);
-  const auto past = [&] {
-    std::vector<CampaignCase> all = loaded.campaign.cases;
-    all.insert(all.end(), left_over.begin(), left_over.end());
-    return std::pair(all, attempts_in_old_store(loaded.folder, all));
-  }();
+  std::vector<CampaignCase> all = loaded.campaign.cases;
+  all.insert(all.end(), left_over.begin(), left_over.end());
+  const auto past = attempts_in_old_store(loaded.folder, all);
   Transaction together(store.connection());
   store.record_campaign(loaded.campaign);
   store.record_left_over(left_over);
-  Count count;
-  for (const CampaignCase& one : past.first) {
-    const RunFiles run = run_files(loaded.folder, one);
-    const auto known = past.second.find(one.definition.id);
-    if (known != past.second.end()) {
-      for (const PastAttempt& each : known->second)
-        store.restore_attempt(one.definition.id, each.attempt, each.start, each.end);
-    }
-    const Observation seen = observe(one, run, *launcher);
-    import_history(store, one, run, seen);
-    if (seen.state != CaseState::kFinished) {
-      count.results += import_result_so_far(store, one, run, seen.state) ? 1 : 0;
-      continue;
-    }
-    try {
-      count.results += import_result(store, one, run) ? 1 : 0;
-    } catch (const SqliteError&) {
-      throw;
-    } catch (const std::runtime_error& error) {
-      ++count.without;
-      std::cerr << one.definition.label << ": no result: " << printable_lines(error.what()) << "\n";
-    }
+  for (const auto& [id, attempts] : past) {
+    for (const PastAttempt& each : attempts) store.restore_attempt(id, each.attempt, each.start, each.end);
   }
+  auto imported = import_directories(store, all, loaded.folder, *launcher);
   store.mark_stale(build_info().version);
   together.commit();
-  return count;
+  return imported;
 }
 
 }  // namespace
@@ -124,20 +99,21 @@ ExitStatus rebuild_store(const std::filesystem::path& path) {
   auto left_over = left_over_cases(loaded.campaign, loaded.folder);
   keep_windows(loaded.folder, left_over);
   const Workshop workshop(loaded.folder);
-  Count count;
+  ImportedDirectories imported;
   {
     Store store = Store::open(workshop.place(), OpenMode::kCreate);
-    count = fill(store, loaded, left_over);
+    imported = fill(store, loaded, left_over);
     store.connection().execute("PRAGMA wal_checkpoint(TRUNCATE)");
   }
+  for (const std::string& trouble : imported.troubles) std::cerr << printable_lines(trouble) << "\n";
   if (const auto old = set_store_aside(loaded.folder); !old.empty())
     std::cerr << "The old store is now " << printable(old.string()) << "\n";
   publish_file(store_path(workshop.place()), store_path(loaded.folder));
   std::cerr << "Made " << printable(store_path(loaded.folder).string())
             << " from the run directories: " << counted(std::ssize(loaded.campaign.cases), "case") << ", "
-            << counted(count.results, "result")
+            << counted(imported.results, "result")
             << (left_over.empty() ? "" : ", " + counted(std::ssize(left_over), "left-over case")) << ".\n";
-  return count.without == 0 ? ExitStatus::kDone : ExitStatus::kFailedCases;
+  return imported.troubles.empty() ? ExitStatus::kDone : ExitStatus::kFailedCases;
 }
 
 }  // namespace softwall::campaign

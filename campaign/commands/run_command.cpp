@@ -10,11 +10,10 @@
 #include "campaign/core/words.hpp"
 #include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/left_over.hpp"
-#include "campaign/observe/observe.hpp"
 #include "campaign/runner/campaign_lock.hpp"
 #include "campaign/runner/progress.hpp"
 #include "campaign/runner/runner.hpp"
-#include "campaign/store/import_results.hpp"
+#include "campaign/store/import_directories.hpp"
 #include "campaign/store/text_width.hpp"
 #include "campaign/system/shell_words.hpp"
 #include "campaign/tables/closing_table.hpp"
@@ -75,12 +74,7 @@ void record_left_over(Store& store, const std::filesystem::path& folder,
   if (left.empty() || !store.all_cases().empty()) return;
   Transaction together(store.connection());
   store.record_left_over(left);
-  for (const CampaignCase& one : left) {
-    const RunFiles run = run_files(folder, one);
-    const Observation seen = observe(one, run, launcher);
-    import_history(store, one, run, seen);
-    import_result_so_far(store, one, run, seen.state);
-  }
+  import_directories(store, left, folder, launcher);
   together.commit();
 }
 

@@ -119,9 +119,11 @@ void import_history(Store& store, const CampaignCase& one, const RunFiles& run, 
 
 void import_running_attempt(Store& store, const CampaignCase& one, const RunFiles& run,
                             const RunRecord& record) {
-  if (store.attempts(one.definition.id) >= record.attempt) return;
+  const std::string& id = one.definition.id;
+  if (store.attempts(id) >= record.attempt)
+    return store.set_state(id, CaseState::kRunning, "attempt " + std::to_string(record.attempt));
   restore_history(store, one, run);
-  store.restore_open_attempt(one.definition.id, record.attempt, {record.host, one.ranks, ""}, record.handle);
+  store.restore_open_attempt(id, record.attempt, {record.host, one.ranks, ""}, record.handle);
 }
 
 bool import_result(Store& store, const CampaignCase& one, const RunFiles& run) {
