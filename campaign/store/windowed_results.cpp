@@ -14,6 +14,12 @@ bool has_statistics(const RunFiles& run) {
   return std::filesystem::exists(run.statistics(), unreadable);
 }
 
+/// Whether the store has a result of it, but over another window.
+bool has_another_result(const Store& store, const std::string& case_id, double start) {
+  const auto origin = store.result_origin(case_id);
+  return origin && origin->window_asked != start;
+}
+
 }  // namespace
 
 WindowedResults results_from(const std::filesystem::path& campaign_directory, double start) {
@@ -23,7 +29,8 @@ WindowedResults results_from(const std::filesystem::path& campaign_directory, do
   Transaction together(results.store.connection());
   for (const auto& [id, one] : results.store.all_cases()) {
     const RunFiles run{campaign_directory / one.directory};
-    if (one.is_precursor || one.state == CaseState::kDiverged || !has_statistics(run)) continue;
+    if (one.is_precursor || one.state == CaseState::kDiverged) continue;
+    if (!has_statistics(run) && !has_another_result(results.store, id, start)) continue;
     try {
       const auto derived = analysis::derive(analysis::read_statistics(run.statistics()), window);
       results.store.record_result(id, derived, build_info().git_revision);

@@ -15,8 +15,8 @@ struct WindowedResults {
 };
 
 /// The results of all cases that are no precursors, made again from their statistics with the blocks that
-/// start at or after `start`, h/U_b. A precursor's time is its own, and so are its averages. Throws
-/// SqliteError.
+/// start at or after `start`, h/U_b. A precursor's time is its own, and so are its averages. A case without
+/// statistics that can be used has none: its stored result is over another window. Throws SqliteError.
 [[nodiscard]] WindowedResults results_from(const std::filesystem::path& campaign_directory, double start);
 
 }  // namespace softwall::campaign
