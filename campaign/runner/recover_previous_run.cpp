@@ -44,12 +44,13 @@ bool Runner::recover_previous_run() {
   const auto origins = store_.result_origins();
   Transaction together(store_.connection());
   for (const CampaignCase& one : cases) {
-    const CaseState state = book_.seen(one).state;
+    const Observation& seen = book_.seen(one);
+    const CaseState state = seen.state;
     if (state == CaseState::kInterrupted || state == CaseState::kFailed || state == CaseState::kDiverged)
       import_result_so_far(store_, one, book_.files_of(one), state);
     if (state != CaseState::kFinished) continue;
     const auto origin = origins.find(one.definition.id);
-    if (origin == origins.end() || !is_recorded(origin->second, one, book_.files_of(one)))
+    if (origin == origins.end() || !is_recorded(origin->second, one, book_.files_of(one), seen.time))
       deliver_result(one);
   }
   together.commit();

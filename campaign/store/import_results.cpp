@@ -152,9 +152,11 @@ bool import_result_so_far(Store& store, const CampaignCase& one, const RunFiles&
          });
 }
 
-bool is_recorded(const ResultOrigin& origin, const CampaignCase& one, const RunFiles& run) {
+bool is_recorded(const ResultOrigin& origin, const CampaignCase& one, const RunFiles& run,
+                 double reached_time) {
   if (origin.analysis_version != analysis::kAnalysisVersion || origin.window_asked != one.window_start)
     return false;
+  if (origin.window_end < reached_time - one.definition.physics.statistics.block_length) return false;
   for (const auto& file : {run.statistics(), run.summary()}) {
     const std::string changed = change_time(file);
     if (changed.empty() || changed >= origin.recorded) return false;

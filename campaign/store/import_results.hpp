@@ -36,9 +36,10 @@ bool import_result_so_far(Store& store, const CampaignCase& campaign_case, const
                           CaseState state);
 
 /// True where nothing can have changed since the result was recorded, so that import_result() need not read
-/// the statistics. Asks the file system alone.
+/// the statistics. Asks the file system alone. reached_time: of the finished case, h/U_b; a result that ends
+/// a block or more before it is one of those recorded on the way, whatever the clock said then.
 [[nodiscard]] bool is_recorded(const ResultOrigin& origin, const CampaignCase& campaign_case,
-                               const RunFiles& run);
+                               const RunFiles& run, double reached_time);
 
 /// Whether statistics.h5 of a case cannot be used: missing, damaged, or of another case.
 [[nodiscard]] bool statistics_are_damaged(const RunFiles& run, const std::string& case_id);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "campaign/observe/history.hpp"
 #include "campaign/observe/observe.hpp"
 #include "tests/campaign/observe/run_directory_files.hpp"
@@ -52,6 +54,18 @@ TEST_F(ImportTest, AFlowThatDivergedHasNoAverages) {
   record_window(30);
   EXPECT_FALSE(import_result_so_far(store, one, run, CaseState::kDiverged));
   EXPECT_FALSE(has_result());
+}
+
+/// It was recorded on the way, by a clock that was years ahead.
+TEST_F(ImportTest, AResultThatEndsLongBeforeItsCaseIsNotItsLast) {
+  record_window(one.window_start);  // up to t = 50
+  store.connection().execute("UPDATE quantities SET recorded = '2099-01-01T00:00:00.000Z'");
+  test::write_summary(run, one.definition.id, 1, "finished", 1000, 100.0);
+  std::ofstream(run.statistics()) << "its time of change is all that counts";
+  const auto origin = store.result_origin(one.definition.id).value();
+  const double block = one.definition.physics.statistics.block_length;
+  EXPECT_TRUE(is_recorded(origin, one, run, 50.0 + 0.9 * block));
+  EXPECT_FALSE(is_recorded(origin, one, run, 50.0 + 1.1 * block));
 }
 
 }  // namespace
