@@ -5,12 +5,14 @@
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/own_files.hpp"
 #include "campaign/core/words.hpp"
+#include "campaign/runner/campaign_lock.hpp"
 #include "campaign/store/output_file.hpp"
 #include "campaign/store/query.hpp"
 #include "campaign/store/sqlite.hpp"
 #include "campaign/store/store.hpp"
 #include "campaign/store/text_width.hpp"
 #include "campaign/store/windowed_results.hpp"
+#include "campaign/system/shell_words.hpp"
 #include "campaign/tables/comparison_rows.hpp"
 #include "campaign/tables/latex_tables.hpp"
 #include "campaign/tables/paper_tables.hpp"
@@ -41,8 +43,20 @@ void tell_left_out(Connection& store) {
             << " of earlier versions of the campaign file; the view results_all has them.\n";
 }
 
+/// Nobody brings the store up to date any more, and it does not tell by itself.
+void tell_if_left_at_work(const std::filesystem::path& folder, Connection& store) {
+  const std::int64_t cases =
+      store.integer("SELECT count(*) FROM cases WHERE state = 'running' AND in_campaign = 1");
+  if (cases == 0 || living_owner(folder)) return;
+  std::cerr << counted(cases, "case") << (cases == 1 ? " was" : " were")
+            << " running when softwall stopped, which these results are from; what has become of "
+            << (cases == 1 ? "it" : "them") << ":  " << softwall_command("status", folder) << "\n";
+}
+
 Store results_of(const std::filesystem::path& folder, const std::optional<double>& from) {
-  if (!from) return Store::open(folder, OpenMode::kReadOnly);
+  Store store = Store::open(folder, OpenMode::kReadOnly);
+  tell_if_left_at_work(folder, store.connection());
+  if (!from) return store;
   WindowedResults results = results_from(folder, *from);
   for (const std::string& trouble : results.troubles)
     std::cerr << "No result from t = " << *from << ": " << printable_lines(trouble) << "\n";

@@ -18,7 +18,6 @@
 #include "campaign/core/words.hpp"
 #include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/observe.hpp"
-#include "campaign/observe/run_reports.hpp"
 #include "campaign/runner/campaign_lock.hpp"
 #include "campaign/runner/wording.hpp"
 #include "campaign/store/import_results.hpp"
@@ -45,11 +44,9 @@ Snapshot look(const LoadedCampaign& loaded) {
   now.owner_is_unknown = owner_is_unknown(loaded.folder);
   now.observations = observe_with_history(loaded, *make_launcher(loaded.campaign.execution));
   for (std::size_t i = 0; i < now.observations.size(); ++i) {
-    if (!now.observations[i].running) continue;
     const CampaignCase& one = loaded.campaign.cases[i];
-    if (const auto status = read_status(run_files(loaded.folder, one), one.definition.id)) {
+    if (const auto status = report_of_work(run_files(loaded.folder, one), now.observations[i]))
       now.working[one.definition.id] = *status;
-    }
   }
   now.seconds_left =
       remaining_seconds(loaded.campaign, now.observations, now.working, loaded.campaign.execution.cores);

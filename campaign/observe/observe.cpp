@@ -186,7 +186,7 @@ Observation observe_work(const CampaignCase& campaign_case, const RunFiles& run,
   observation.state = CaseState::kRunning;
   observation.early = false;
   observation.reason = remark_on(presence);  // what it was spoke of an end that is over
-  if (const auto status = read_status(run, observation.case_id)) {
+  if (const auto status = report_of_work(run, observation)) {
     observation.seconds_per_step = status->seconds_per_step;
     observation.measured_ranks = status->ranks;
   }
@@ -194,6 +194,14 @@ Observation observe_work(const CampaignCase& campaign_case, const RunFiles& run,
 }
 
 }  // namespace
+
+/// A solver that was started by hand counts no attempts.
+std::optional<Status> report_of_work(const RunFiles& run, const Observation& seen) {
+  constexpr int kByHand = 0;
+  auto status = seen.running ? read_status(run, seen.case_id) : std::nullopt;
+  const bool by_hand = status && status->attempt == kByHand && seen.presence == Presence::kRunning;
+  return status && (by_hand || status->attempt >= seen.attempts) ? status : std::nullopt;
+}
 
 Observation observe(const CampaignCase& campaign_case, const RunFiles& run, const Launcher& launcher) {
   return observe_work(campaign_case, run, presences({run}, launcher).front());

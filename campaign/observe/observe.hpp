@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "campaign/launch/launcher.hpp"
 #include "campaign/observe/case_directories.hpp"
 #include "solver/run_directory/run_files.hpp"
+#include "solver/run_directory/status.hpp"
 #include "solver/run_directory/summary.hpp"
 
 /// What the run directories say. Only reads.
@@ -37,6 +39,10 @@ namespace softwall::campaign {
 
 /// The observation of a case that a person lets start over: lost checkpoints no longer stand in its way.
 [[nodiscard]] Observation without_lost_checkpoints(Observation observation);
+
+/// What the solver at work in a run directory has reported; nothing where none works there, or its attempt
+/// has yet to report and what stands there is of an earlier one.
+[[nodiscard]] std::optional<Status> report_of_work(const RunFiles& run, const Observation& seen);
 
 /// The state of one case.
 [[nodiscard]] Observation observe(const CampaignCase& campaign_case, const RunFiles& run,

@@ -68,6 +68,16 @@ class Stop(EndToEndTest):
         self.assertEqual(campaign.states()["precursor"], "running", "reading is always possible")
         self.assertEqual(campaign.call("query", "SELECT * FROM cases").returncode, 0)
 
+    def test_results_that_nobody_brings_up_to_date_any_more_tell_so(self):
+        campaign, runner = self.started()
+        question = ("query", "SELECT state FROM results WHERE state = 'running'", "--csv")
+        self.assertEqual(campaign.call(*question).stderr, "")
+        campaign.kill_all(runner)
+        answer = campaign.call(*question)
+        self.assertEqual(answer.stdout.split(), ["state", "running"])
+        self.assertIn("1 case was running when softwall stopped", answer.stderr)
+        self.assertIn(f"softwall status {campaign.folder}", answer.stderr)
+
     def test_of_twenty_at_once_one_runs_and_the_others_say_who(self):
         """Every other one seen from another host name, where that can be had."""
         elsewhere = ["unshare", "--uts", "sh", "-c", 'hostname "$0" && exec "$@"']

@@ -145,6 +145,31 @@ TEST_F(ObserveTest, BadCheckpointsAreSetAsideAndGoodOnesNotTouched) {
   EXPECT_TRUE(check_ladder(run_, id_).set_aside.empty());
 }
 
+/// A job in a queue has made no step, whatever the attempt before it had reported last.
+TEST_F(ObserveTest, AReportOfAnEarlierAttemptIsNoneOfTheWork) {
+  const auto report = [&](int attempt) {
+    Status status;
+    status.case_id = id_;
+    status.attempt = attempt;
+    folder_.write(run_.status(), nlohmann::json(status).dump());
+  };
+  Observation seen;
+  seen.case_id = id_;
+  seen.attempts = 2;
+  report(2);
+  EXPECT_FALSE(report_of_work(run_, seen)) << "nobody works there";
+  seen.running = true;
+  for (const Presence presence : {Presence::kQueued, Presence::kRunning}) {
+    seen.presence = presence;
+    report(1);
+    EXPECT_FALSE(report_of_work(run_, seen));
+    report(2);
+    EXPECT_TRUE(report_of_work(run_, seen));
+  }
+  report(0);
+  EXPECT_TRUE(report_of_work(run_, seen)) << "a solver that was started by hand";
+}
+
 /// Whoever has gone back to an older program for a moment keeps what the newer one has computed.
 TEST_F(ObserveTest, ACheckpointOfAnotherVersionIsLeftAlone) {
   test::write_checkpoint(run_, id_, 10, 1.0);
