@@ -1,71 +1,16 @@
 #include "campaign/launch/slurm_launcher.hpp"
 
-#include <fcntl.h>
-#include <gtest/gtest.h>
-#include <sys/file.h>
-
 #include <algorithm>
 #include <fstream>
 #include <functional>
-#include <thread>
 
-#include "campaign/system/clock.hpp"
 #include "solver/case/bad_input.hpp"
-#include "solver/case/file_descriptor.hpp"
-#include "solver/run_directory/run_files.hpp"
-#include "tests/campaign/launch/fake_slurm.hpp"
-#include "tests/campaign/observe/run_directory_files.hpp"
+#include "tests/campaign/launch/slurm_launcher_fixture.hpp"
 
-/// The launcher with scripts in the place of Slurm's commands; the end-to-end test has the real ones.
 namespace softwall::campaign {
 namespace {
 
-constexpr const char* kCase = "0123456789abcdef";
-
-SlurmOptions usual_options() {
-  SlurmOptions options;
-  options.signal_seconds = 120;
-  options.start_with = "mpirun";
-  return options;
-}
-
-class SlurmLauncherTest : public ::testing::Test {
- protected:
-  SlurmLauncherTest() {
-    launcher_.prepare("/opt/softwall-dns", 0);
-    std::filesystem::create_directories(run_.directory);
-  }
-  [[nodiscard]] LaunchRequest request() const { return {kCase, run_.directory, 1, 2, std::nullopt}; }
-
-  std::optional<EndedAttempt> collect_once(SlurmLauncher& launcher) {
-    const auto ended = launcher.collect();
-    return ended.empty() ? std::nullopt : std::optional(ended.front());
-  }
-  /// Calls collect() until it reports an end, for so long at most.
-  std::optional<EndedAttempt> wait_for_end(double seconds = 20) {
-    const double end = monotonic_seconds() + seconds;
-    std::optional<EndedAttempt> ended;
-    while (!(ended = collect_once(launcher_)) && monotonic_seconds() < end)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    return ended;
-  }
-  void collect_for(double seconds) { EXPECT_FALSE(wait_for_end(seconds)); }
-  [[nodiscard]] Presence presence(const Handle& handle) const {
-    return launcher_.presence(run_.directory, handle);
-  }
-  [[nodiscard]] std::size_t submitted() const { return slurm_.calls("sbatch").size(); }
-  [[nodiscard]] FileDescriptor hold_lock() const {
-    FileDescriptor lock(open(run_.lock().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
-    flock(lock.get(), LOCK_EX);
-    return lock;
-  }
-
-  test::FakeSlurm slurm_;
-  test::TemporaryFolder folder_;
-  RunFiles run_{folder_.path() / "cases" / "one-01234567"};
-  SlurmOptions options_ = usual_options();
-  SlurmLauncher launcher_{options_, test::kQuickPace};
-};
+using namespace slurm_tests;
 
 TEST_F(SlurmLauncherTest, FollowsAJobThroughItsLife) {
   const Handle handle = launcher_.start(request());
@@ -372,56 +317,6 @@ TEST_F(SlurmLauncherTest, SubmittingManyJobsIsDoneInPartsSoThatSoftwallCanLeave)
     EXPECT_TRUE(launcher.collect().empty());
     EXPECT_EQ(submitted(), parts);
   }
-}
-
-/// A folder that was copied or moved, with all its files, after its job had been submitted.
-class SlurmFolderTest : public SlurmLauncherTest {
- protected:
-  SlurmFolderTest() : handle_(launcher_.start(request())) {}
-  [[nodiscard]] LaunchRequest request_there() const { return {kCase, there_.directory, 1, 2, std::nullopt}; }
-
-  RunFiles there_{folder_.path() / "there" / "one-01234567"};
-  Handle handle_;
-  SlurmLauncher next_{options_, test::kQuickPace};
-};
-
-TEST_F(SlurmFolderTest, TheJobOfAFolderIsNotThatOfItsCopy) {
-  std::filesystem::copy(folder_.path() / "cases", folder_.path() / "there",
-                        std::filesystem::copy_options::recursive);
-  slurm_.move_all("RUNNING");
-  EXPECT_EQ(next_.presence(there_.directory, handle_), Presence::kGone);
-  EXPECT_FALSE(next_.adopt(request_there(), handle_));
-  for (const StopLevel level : {StopLevel::kCheckpoint, StopLevel::kTerminate, StopLevel::kKill})
-    next_.stop(there_.directory, handle_, level);
-  EXPECT_TRUE(slurm_.calls("scancel").empty());
-  EXPECT_EQ(next_.presence(run_.directory, handle_), Presence::kRunning) << "the original keeps it";
-}
-
-TEST_F(SlurmFolderTest, TheJobOfAFolderThatWasMovedIsWaitedForAndNotEnded) {
-  std::filesystem::rename(folder_.path() / "cases", folder_.path() / "there");
-  slurm_.move_all("RUNNING");
-  EXPECT_EQ(next_.presence(there_.directory, handle_), Presence::kUnknown);
-  ASSERT_TRUE(next_.adopt(request_there(), handle_));
-  EXPECT_EQ(next_.news().size(), 1U);
-  slurm_.set_queue({slurm_.queue().front(), "9|PENDING|0|Dependency|" + job_name(request()) + "|"});
-  EXPECT_FALSE(collect_once(next_));
-  EXPECT_EQ(next_.presence(there_.directory, handle_), Presence::kUnknown)
-      << "nor is it taken for one that hangs";
-  next_.stop(there_.directory, handle_, StopLevel::kKill);
-  EXPECT_TRUE(slurm_.calls("scancel").empty());
-  slurm_.move_all("FAILED", 1 << 8);
-  const auto ended = collect_once(next_);
-  ASSERT_TRUE(ended);
-  EXPECT_EQ(ended->exit_code, 1);
-}
-
-TEST_F(SlurmFolderTest, AnotherPathToTheSameFolderFindsItsJob) {
-  std::filesystem::rename(folder_.path() / "cases", folder_.path() / "there");
-  std::filesystem::create_directory_symlink("there", folder_.path() / "cases");
-  EXPECT_EQ(next_.presence(there_.directory, handle_), Presence::kQueued);
-  EXPECT_TRUE(next_.adopt(request_there(), handle_));
-  next_.stop(there_.directory, handle_, StopLevel::kTerminate);
-  EXPECT_EQ(slurm_.calls("scancel").size(), 1U);
 }
 
 TEST_F(SlurmLauncherTest, SaysForHowLongAJobWouldAsk) {
