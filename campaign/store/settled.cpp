@@ -13,9 +13,13 @@ bool is_settled(const CampaignCase& one, const CaseRecord& known, const RunFiles
   if (one.starts_others || known.state != CaseState::kFinished ||
       !has_reached(known.reached_time, one.definition.run.end_time))
     return false;
-  const std::string changed = change_time(run.directory), of_checkpoints = change_time(run.checkpoints());
-  return !changed.empty() &&
-         std::max(changed, of_checkpoints) < std::max(known.state_since, known.checkpoints_seen);
+  const std::string looked_at = std::max(known.state_since, known.checkpoints_seen);
+  const auto is_unchanged = [&](const std::filesystem::path& place) {
+    return change_time(place) < looked_at;
+  };
+  return !change_time(run.directory).empty() && is_unchanged(run.directory) &&
+         is_unchanged(run.checkpoints()) && is_unchanged(run.case_file()) && is_unchanged(run.summary()) &&
+         is_unchanged(run.statistics());
 }
 
 Observation settled_observation(const CampaignCase& one, const CaseRecord& known) {

@@ -10,12 +10,13 @@
 #include "campaign/store/store.hpp"
 #include "solver/run_directory/run_files.hpp"
 
-/// A settled case has finished, the store knows it, and nothing in its run directory was made, replaced or
+/// A settled case has finished, the store knows it, and nothing in its run directory was made, changed or
 /// removed since the store was last brought up to it: no file of it needs to be opened, and nobody can work
 /// there. Precursors never are: others start from their checkpoints.
 namespace softwall::campaign {
 
-/// Asks the file system for two times: of the run directory and of its checkpoints.
+/// Asks the file system for the times of the run directory, its checkpoints and the files that tell of its
+/// end.
 [[nodiscard]] bool is_settled(const CampaignCase& campaign_case, const CaseRecord& known,
                               const RunFiles& run);
 

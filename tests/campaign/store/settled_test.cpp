@@ -63,6 +63,12 @@ TEST_F(SettledTest, EndsWithWhateverAppearsOrGoes) {
   EXPECT_FALSE(settled(one));
 }
 
+TEST_F(SettledTest, EndsWhenAFileIsDamagedInItsPlace) {
+  let_time_pass();
+  std::ofstream(run.summary()) << "{";
+  EXPECT_FALSE(settled(one));
+}
+
 /// Somebody makes room: the store has to learn which checkpoints are left.
 TEST_F(SettledTest, EndsWhenACheckpointIsRemoved) {
   const auto checkpoint = test::write_checkpoint(run, one.definition.id, 100, 1.0);
@@ -77,6 +83,7 @@ TEST_F(SettledTest, EndsWhenACheckpointIsRemoved) {
 
 /// All that a copy of the campaign's folder holds has changed later than the store knows.
 TEST_F(SettledTest, BeginsAnewWhenTheStoreIsBroughtUpToACopy) {
+  let_time_pass();
   test::write_checkpoint(run, one.definition.id, 500, one.definition.run.end_time);
   ASSERT_FALSE(settled(one));
   let_time_pass();
@@ -88,7 +95,10 @@ TEST_F(SettledTest, BeginsAnewWhenTheStoreIsBroughtUpToACopy) {
 TEST_F(SettledTest, IsObservedWithoutItsFiles) {
   const test::LauncherWithoutMemory& launcher = test::FakeLauncher([](const LaunchRequest&) { return 0; });
   const Observation opened = observe_files(one, run);
-  std::ofstream(run.summary()) << "damaged in its place, which is a matter for softwall verify";
+  std::ofstream(run.summary()) << "damaged before the store was brought up to it";
+  let_time_pass();
+  store.set_state(one.definition.id, CaseState::kRunning, "");
+  store.set_state(one.definition.id, CaseState::kFinished, "end time reached");
   const auto seen = observe_with_records(campaign, folder.path(), launcher, store.all_cases()).back();
   EXPECT_EQ(seen.state, CaseState::kFinished);
   EXPECT_EQ(seen.case_id, opened.case_id);
