@@ -13,18 +13,20 @@
 namespace softwall {
 namespace {
 
-/// Writes statistics of this case; with an empty id they belong to no particular case, so that one file
-/// serves all.
-void write_statistics_of(const std::string& case_id, const std::filesystem::path& file) {
-  auto statistics = analysis::samples::elastic_statistics({}, 10);
+/// Writes statistics of this case up to its end; with an empty id they belong to no particular case, so that
+/// one file serves all.
+void write_statistics_of(const std::string& case_id, double end_time, const std::filesystem::path& file) {
+  constexpr int kBlocks = 10;
+  auto statistics = analysis::samples::elastic_statistics({}, kBlocks);
   statistics.case_id = case_id;
+  analysis::samples::set_blocks(statistics, kBlocks, end_time / 2, end_time / 2 / kBlocks);
   analysis::write_statistics(file, statistics);
 }
 
 void finish_one(const std::filesystem::path& directory, int attempt) {
   const RunFiles run{directory};
   const Case one = read_case(run.case_file());
-  write_statistics_of(one.id, run.statistics());
+  write_statistics_of(one.id, one.run.end_time, run.statistics());
   test::write_summary(run, one.id, attempt, "finished", 1000, one.run.end_time);
 }
 
@@ -36,7 +38,7 @@ void finish_many(std::istream& in) {
     const RunFiles run{directory};
     std::filesystem::create_directories(run.directory);
     if (first.empty())
-      write_statistics_of("", first = run.statistics());
+      write_statistics_of("", end_time, first = run.statistics());
     else
       std::filesystem::copy_file(first, run.statistics());
     test::write_summary(run, id, 1, "finished", 1000, end_time);
