@@ -84,6 +84,15 @@ ImportedDirectories fill(Store& store, const LoadedCampaign& loaded,
     for (const PastAttempt& each : attempts) store.restore_attempt(id, each.attempt, each.start, each.end);
   }
   auto imported = import_directories(store, all, loaded.folder, *launcher);
+  for (const CampaignCase& one : loaded.campaign.cases) {
+    const auto known = past.find(one.definition.id);
+    if (known == past.end() || known->second.empty() ||
+        std::filesystem::exists(loaded.folder / one.directory))
+      continue;
+    imported.troubles.push_back(
+        one.definition.label +
+        ": its run directory is missing; what is known of it is in the old store alone");
+  }
   store.mark_stale(build_info().version);
   together.commit();
   return imported;

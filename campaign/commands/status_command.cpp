@@ -139,6 +139,7 @@ struct TextLayout {
 };
 
 std::string remark_on(const Observation& seen) {
+  if (!seen.running && !seen.needs_person.empty()) return seen.needs_person;
   return seen.state == CaseState::kFinished && !seen.early ? std::string() : seen.reason;
 }
 

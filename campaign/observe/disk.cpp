@@ -31,6 +31,7 @@ std::int64_t files_to_come(double interval, const RunSpec& run, const Observatio
 DiskNeed disk_need(const Campaign& campaign, const std::vector<Observation>& observations) {
   DiskNeed need;
   for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
+    if (!observations[i].needs_person.empty()) continue;  // nothing of it will be written
     const Case& one = campaign.cases[i].definition;
     const std::int64_t film_bytes = film_moment_bytes(one.physics, one.run.planes);
     const std::int64_t snapshots = files_to_come(one.run.field_interval, one.run, observations[i]);

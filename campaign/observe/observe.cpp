@@ -167,7 +167,11 @@ Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run
 }
 
 Observation without_lost_checkpoints(Observation observation) {
-  if (observation.needs_person == kNoCheckpointLeft) observation.needs_person.clear();
+  if (observation.needs_person != kNoCheckpointLeft) return observation;
+  observation.needs_person.clear();
+  observation.state = CaseState::kNew;
+  observation.step = 0;
+  observation.time = 0;
   return observation;
 }
 

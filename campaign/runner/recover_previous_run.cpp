@@ -48,7 +48,7 @@ bool Runner::recover_previous_run() {
     const CaseState state = seen.state;
     if (state == CaseState::kInterrupted || state == CaseState::kFailed || state == CaseState::kDiverged)
       import_result_so_far(store_, one, book_.files_of(one), state);
-    if (state != CaseState::kFinished) continue;
+    if (state != CaseState::kFinished || !seen.needs_person.empty()) continue;
     const auto origin = origins.find(one.definition.id);
     if (origin == origins.end() || !is_recorded(origin->second, one, book_.files_of(one), seen.time))
       deliver_result(one);

@@ -186,7 +186,14 @@ Observation with_history(Observation observation, const CaseRecord& known) {
   // A disk that is not mounted, or a run directory that somebody has cleared.
   const bool is_over = observation.state == CaseState::kFinished || observation.state == CaseState::kDiverged;
   const bool has_none = !observation.newest_checkpoint && observation.needs_person.empty();
-  if (known.had_checkpoints && !is_over && has_none) observation.needs_person = kNoCheckpointLeft;
+  if (known.had_checkpoints && !is_over && has_none) {
+    observation.needs_person = kNoCheckpointLeft;
+    if (observation.state == CaseState::kNew && known.state == CaseState::kFinished) {
+      observation.state = CaseState::kFinished;  // its results are there, and nobody need compute it again
+      observation.step = known.reached_step;
+      observation.time = known.reached_time;
+    }
+  }
   return observation;
 }
 

@@ -90,7 +90,7 @@ TEST_F(RunnerTest, AFinishedCaseWhoseRunDirectoryIsGoneKeepsItsResultAndIsNotCom
   std::filesystem::remove_all(folder_.path() / "cases");
   FakeLauncher second([&](const LaunchRequest& request) { return finish(request); });
   const RunnerReport report = run(second);
-  EXPECT_EQ(report.unfinished.size(), 5U);
+  EXPECT_EQ(report.finished, 5U);
   EXPECT_TRUE(second.started.empty());
   Store known = store();
   EXPECT_EQ(tests::answer(known, "SELECT count(*) FROM results WHERE state = 'finished' AND re_tau > 0"),
