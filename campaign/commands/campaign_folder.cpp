@@ -69,9 +69,13 @@ std::vector<Observation> observe_with_history(const LoadedCampaign& loaded, cons
   return observe_with_records(loaded.campaign, loaded.folder, launcher, records);
 }
 
-std::vector<Observation> observe_for_run(const LoadedCampaign& loaded, const Launcher& launcher) {
+std::vector<Observation> observe_for_run(const LoadedCampaign& loaded, const Launcher& launcher,
+                                         bool start_over) {
   auto observations = observe_with_history(loaded, launcher);
-  for (Observation& seen : observations) seen.attempts_without_progress = 0;
+  for (Observation& seen : observations) {
+    seen.attempts_without_progress = 0;
+    if (start_over) seen = without_lost_checkpoints(seen);
+  }
   return observations;
 }
 

@@ -24,9 +24,10 @@ struct LoadedCampaign {
 [[nodiscard]] std::vector<Observation> observe_with_history(const LoadedCampaign& loaded,
                                                             const Launcher& launcher);
 
-/// The observations as a run sees them: whoever runs a campaign asks for another try of what has failed.
-[[nodiscard]] std::vector<Observation> observe_for_run(const LoadedCampaign& loaded,
-                                                       const Launcher& launcher);
+/// The observations as a run sees them: whoever runs a campaign asks for another try of what has failed and,
+/// with `start_over`, of what has lost its checkpoints.
+[[nodiscard]] std::vector<Observation> observe_for_run(const LoadedCampaign& loaded, const Launcher& launcher,
+                                                       bool start_over = false);
 
 /// The folder that a path means, with a results store in it. Throws BadInput when there is none.
 [[nodiscard]] std::filesystem::path folder_with_store(const std::filesystem::path& path);

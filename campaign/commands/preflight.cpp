@@ -172,6 +172,7 @@ Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>
   add_obstacles_of_cases(campaign, decisions, machine, result);
   add_paths_that_are_too_long(loaded, decisions, result);
   if (solver && result.mistakes.empty()) prepare(launcher, *solver, ranks, of_programs);
+  if (!missing.mistakes.empty()) result.no_programs = BadInput("", missing.mistakes).what();
   result.disk = disk_need(campaign, observations);
   result.disk_free_bytes = static_cast<double>(fs::space(loaded.folder).available);
   result.memory_bytes = memory_side_by_side(campaign, decisions);

@@ -17,7 +17,8 @@ namespace softwall::campaign {
 struct Preflight {
   std::vector<Mistake> mistakes;     ///< what is in the way; empty: nothing
   std::vector<std::string> blocked;  ///< by case: why it cannot be started here; empty: it can
-  DiskNeed disk;                     ///< what is yet to be written
+  std::string no_programs;  ///< why nothing could be started, where nothing is to be; empty: it could
+  DiskNeed disk;            ///< what is yet to be written
   double disk_free_bytes = 0.0;
   double memory_bytes = 0.0;  ///< of the cases at work side by side, at most
   double machine_memory_bytes = 0.0;

@@ -45,7 +45,8 @@ void explain(const std::vector<RunnerReport::Trouble>& troubles, const LoadedCam
 }
 
 /// What is done, what is not and why, and what to do next.
-void print_report(const RunnerReport& report, const LoadedCampaign& loaded) {
+/// start_over: the run was asked for it, and whoever goes on has to ask again.
+void print_report(const RunnerReport& report, const LoadedCampaign& loaded, bool start_over) {
   const auto& folder = loaded.folder;
   std::cerr << "\n"
             << printable(loaded.campaign.name) << ": " << report.finished << " of "
@@ -57,7 +58,8 @@ void print_report(const RunnerReport& report, const LoadedCampaign& loaded) {
   if (!report.unfinished.empty()) {
     std::cerr << counted(report.unfinished.size(), "case") << " not finished:\n";
     explain(report.unfinished, loaded);
-    std::cerr << "To go on:  " << softwall_command("resume", loaded.named) << "\n";
+    std::cerr << "To go on:  " << softwall_command("resume", loaded.named)
+              << (start_over ? " --start-over" : "") << "\n";
   }
   std::cerr << "Results store: " << printable(store_path(folder).string()) << "\n";
   if (report.finished > 0) std::cerr << "The paper's tables:  " << softwall_command("table", folder) << "\n";
@@ -83,7 +85,8 @@ void record_left_over(Store& store, const std::filesystem::path& folder,
 ExitStatus run_with_store(const LoadedCampaign& loaded, const RunOptions& options, const std::string& damage,
                           std::optional<Signals>& signals) {
   const auto launcher = make_launcher(loaded.campaign.execution);
-  const Preflight ready = preflight(loaded, observe_for_run(loaded, *launcher), *launcher);
+  const Preflight ready =
+      preflight(loaded, observe_for_run(loaded, *launcher, options.start_over), *launcher);
   require_nothing_in_the_way(ready, loaded.folder);
 
   RunnerReport report;
@@ -102,6 +105,7 @@ ExitStatus run_with_store(const LoadedCampaign& loaded, const RunOptions& option
     RunnerOptions runner_options;
     runner_options.stall_seconds = options.stall_minutes * 60;
     runner_options.start_over = options.start_over;
+    runner_options.no_programs = ready.no_programs;
     report =
         Runner(loaded.campaign, loaded.folder, {*launcher, store, progress, *signals}, runner_options).run();
   }
@@ -110,7 +114,7 @@ ExitStatus run_with_store(const LoadedCampaign& loaded, const RunOptions& option
   } catch (const SqliteError& error) {
     std::cerr << "softwall: " << printable_lines(error.what()) << "\n";  // the report says how the run ended
   }
-  print_report(report, loaded);
+  print_report(report, loaded, options.start_over);
   return status_of(report);
 }
 

@@ -266,6 +266,8 @@ void Runner::deliver_result(const CampaignCase& one) {
   } catch (const std::runtime_error& error) {
     if (repair_statistics(one, error.what())) return;
     without_result_[id] = std::string("finished, but without a result: ") + error.what();
+    if (!options_.no_programs.empty())
+      without_result_[id] += "; it cannot be made again: " + options_.no_programs;
     progress_.event(one.definition.label + ": " + without_result_[id], Progress::Kind::kBad);
   }
 }
@@ -281,7 +283,7 @@ bool Runner::repair_statistics(const CampaignCase& one, const std::string& troub
   } catch (const std::system_error&) {
     return false;  // they cannot be read now: no help from there
   }
-  if (ladder.empty() || !statistics_are_damaged(run, id)) return false;
+  if (ladder.empty() || !options_.no_programs.empty() || !statistics_are_damaged(run, id)) return false;
   if (!repaired_.insert(id).second) return false;
   book_.mark_unfinished(one, ladder.front(), "its statistics are made again from its last checkpoint");
   progress_.event(one.definition.label + ": " + trouble + "; made again from its last checkpoint",

@@ -31,6 +31,7 @@ struct RunnerOptions {
   /// And at those that go on without it: a look at each of them is a few questions to a network's file
   /// system.
   std::chrono::milliseconds patient_poll{2000};
+  std::string no_programs;      ///< why nothing can be started; empty: it can
   bool start_over = false;      ///< cases may start from the beginning although they had checkpoints
   double store_seconds = 10.0;  ///< how long a locked store is waited for once the user has asked to stop
 };
