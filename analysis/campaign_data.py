@@ -192,7 +192,7 @@ def _read_results(campaign):
 
 def case_directories(campaign):
     """The run directories of the campaign as it is now; what earlier versions of its file left behind is named."""
-    directories = sorted(path for path in campaign.glob("cases/*") if path.is_dir())
+    directories = sorted(path for path in campaign.glob("cases/[!.]*") if path.is_dir())
     store = campaign / "results.db"
     if not store.exists():
         return directories

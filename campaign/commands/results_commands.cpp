@@ -47,7 +47,7 @@ void tell_left_out(Connection& store) {
 void tell_if_left_at_work(const std::filesystem::path& folder, Connection& store) {
   const std::int64_t cases =
       store.integer("SELECT count(*) FROM cases WHERE state = 'running' AND in_campaign = 1");
-  if (cases == 0 || living_owner(folder)) return;
+  if (cases == 0 || living_owner(folder) || owner_is_unknown(folder)) return;
   std::cerr << counted(cases, "case") << (cases == 1 ? " was" : " were")
             << " running when softwall stopped, which these results are from; what has become of "
             << (cases == 1 ? "it" : "them") << ":  " << softwall_command("status", folder) << "\n";

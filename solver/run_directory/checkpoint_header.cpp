@@ -82,7 +82,8 @@ void check_whole_numbers(const json& object) {
 CheckpointHeader header_from(const json& object) {
   if (const json& format = object.at("format"); format != kFormat)
     throw CheckpointOfAnotherVersion("it has format " + format.dump() + ", this program reads format " +
-                                     std::to_string(kFormat));
+                                     std::to_string(kFormat) +
+                                     ": go on with the version that wrote it, or move the file away");
   check_whole_numbers(object);
   CheckpointHeader header;
   header.format = kFormat;
