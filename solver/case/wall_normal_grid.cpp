@@ -35,7 +35,11 @@ std::string uniform_problem(const GridSpec& grid, double layer_height) {
   if (std::abs(fluid - layer) <= 1e-9 * fluid) return "";
   const double cells = layer_height / fluid;
   std::string advice = "; no ny_solid fits this ny_fluid: layer_height * ny_fluid / 2 must be a whole number";
-  if (std::abs(cells - std::round(cells)) <= 1e-9 * cells)
+  if (cells < kLeastLayerCells * (1 - 1e-9))
+    advice = "; for the " + std::to_string(kLeastLayerCells) +
+             " cells that a layer needs, ny_fluid must be " +
+             number(std::ceil(kLeastLayerCells * kFluidHeight / layer_height)) + " or more";
+  else if (std::abs(cells - std::round(cells)) <= 1e-9 * cells)
     advice = "; ny_solid must be " + std::to_string(std::lround(cells));
   return "on a uniform grid the spacing in the layer (" + number(layer) + ") must equal that in the fluid (" +
          number(fluid) + ")" + advice;

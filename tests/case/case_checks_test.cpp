@@ -178,6 +178,7 @@ TEST(CaseChecks, OnlyAnInterfaceWaveHasOne) {
 TEST(CaseChecks, UniformSpacingMustMatch) {
   expect_complaint(elastic_with("/physics/grid/ny_solid", 9), "ny_solid must be 8");
   expect_complaint(elastic_with("/physics/domain/layer_height", 0.51), "no ny_solid fits");
+  expect_complaint(elastic_with("/physics/grid/ny_fluid", 8), "ny_fluid must be 16 or more");
   json thirds = elastic_with("/physics/domain/layer_height", 1.0 / 3.0);
   thirds["physics"]["grid"]["ny_fluid"] = 30;
   thirds["physics"]["grid"]["ny_solid"] = 5;
