@@ -197,11 +197,15 @@ TEST_F(SlurmLauncherTest, AJobThatVanishedIsGoneWhenNothingMovesAnyMore) {
   static_cast<void>(launcher_.start(request()));
   slurm_.set_queue({});
   const double begin = monotonic_seconds();
-  while (monotonic_seconds() < begin + 1) {
+  double moved = begin;
+  std::optional<EndedAttempt> ended;
+  while (!ended && monotonic_seconds() < begin + 1) {
     std::ofstream(run_.log(), std::ios::app) << "step\n";
-    collect_for(0.02);
+    moved = monotonic_seconds();
+    ended = wait_for_end(0.02);
   }
-  const auto ended = wait_for_end();
+  if (!ended) ended = wait_for_end();
+  EXPECT_GT(monotonic_seconds() - moved, test::kQuickPace.quiet) << "not while its log grows";
   ASSERT_TRUE(ended);
   ASSERT_TRUE(ended->verdict);
   EXPECT_EQ(ended->verdict->outcome, AttemptOutcome::kLost);
