@@ -8,10 +8,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Temporary names of this program's own files, and of the file that Open MPI keeps beside one while it is
-/// written; nobody else's.
+/// Temporary names of this program's own files, and of those that Open MPI keeps beside one while it is
+/// written or tries its locks; nobody else's.
 bool is_leftover(const std::string& name) {
-  const bool of_open_mpi = name.ends_with(".lock") && name.find(".tmp-") != std::string::npos;
+  const bool of_open_mpi = (name.ends_with(".lock") && name.find(".tmp-") != std::string::npos) ||
+                           name.find(".tmp.locktest.") != std::string::npos;
   if (name.ends_with(".tmp") || of_open_mpi)
     return name.starts_with("checkpoint-") || name.starts_with("fields-");
   if (name.starts_with(".planes-")) return name.find(".h5.tmp-") != std::string::npos;

@@ -222,6 +222,7 @@ TEST_F(CheckpointTest, LeftoversOfAKilledWriterAreSwept) {
   if (world_.rank() == 0) {
     std::ofstream(run_.checkpoints() / "checkpoint-000000011.h5.tmp") << "half";
     std::ofstream(run_.checkpoints() / "checkpoint-000000011.h5.tmp-1701904385-2457.lock") << "Open MPI's";
+    std::ofstream(run_.checkpoints() / "checkpoint-000000012.h5.tmp.locktest.0") << "Open MPI's, too";
     std::ofstream(run_.checkpoints() / "notes.tmp") << "a person's";
   }
   MPI_Barrier(world_.get());
