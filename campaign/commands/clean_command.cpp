@@ -7,6 +7,7 @@
 #include "campaign/commands/preflight.hpp"
 #include "campaign/core/words.hpp"
 #include "campaign/launch/make_launcher.hpp"
+#include "campaign/observe/left_over.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/removed_directories.hpp"
 #include "campaign/runner/campaign_lock.hpp"
@@ -17,24 +18,25 @@
 namespace softwall::campaign {
 namespace {
 
-void print_others(const BesideTheCampaign& beside) {
+void print_others(const LoadedCampaign& loaded, const BesideTheCampaign& beside) {
   for (const auto& [file, cases] : beside.of_others)
     std::cout << "Kept for " << printable(file) << ", which asks for them: " << counted(cases, "case")
               << ".\n";
   for (const std::string& file : beside.unreadable)
     std::cout << printable(file) << " cannot be read: before that is mended nothing is removed.\n";
-  for (const std::string& directory : beside.of_nobody)
+  for (const std::string& directory : directories_without_a_case(loaded.campaign, loaded.folder))
     std::cout << printable(directory)
               << ": without a case.json that can be read, so that nobody knows whose it is; kept.\n";
 }
 
 void list(const LoadedCampaign& loaded, const BesideTheCampaign& beside) {
   print_left_behind(std::cout, loaded, beside.cases);
-  for (const auto& rest : beside.being_removed)
+  const auto being_removed = unfinished_removals(loaded.folder);
+  for (const auto& rest : being_removed)
     std::cout << printable(rest.filename().string()) << ": the rest of a case that was being removed.\n";
-  if (beside.cases.empty() && beside.being_removed.empty())
+  if (beside.cases.empty() && being_removed.empty())
     std::cout << "Nothing is left over from earlier versions of the campaign file.\n";
-  print_others(beside);
+  print_others(loaded, beside);
 }
 
 void require_that_others_can_be_read(const LoadedCampaign& loaded, const BesideTheCampaign& beside) {
@@ -81,10 +83,10 @@ ExitStatus clean_campaign(const std::filesystem::path& path, bool really) {
   const CampaignLock lock(loaded.folder);
   const BesideTheCampaign beside = beside_the_campaign(loaded);
   require_that_others_can_be_read(loaded, beside);
-  for (const auto& rest : beside.being_removed) std::filesystem::remove_all(rest);
+  for (const auto& rest : unfinished_removals(loaded.folder)) std::filesystem::remove_all(rest);
   remove(loaded, beside.cases);
   std::cout << counted(std::ssize(beside.cases), "case") << " removed.\n";
-  print_others(beside);
+  print_others(loaded, beside);
   return ExitStatus::kDone;
 }
 

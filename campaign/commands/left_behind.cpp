@@ -8,7 +8,6 @@
 #include "campaign/core/words.hpp"
 #include "campaign/observe/left_over.hpp"
 #include "campaign/observe/observe.hpp"
-#include "campaign/observe/removed_directories.hpp"
 #include "campaign/observe/run_reports.hpp"
 #include "campaign/runner/wording.hpp"
 #include "campaign/store/store.hpp"
@@ -38,8 +37,6 @@ double last_core_hours(const RunFiles& run, const std::string& case_id) {
 
 BesideTheCampaign beside_the_campaign(const LoadedCampaign& loaded) {
   BesideTheCampaign beside;
-  beside.of_nobody = directories_without_a_case(loaded.campaign, loaded.folder);
-  beside.being_removed = unfinished_removals(loaded.folder);
   const auto left = left_over_cases(loaded.campaign, loaded.folder);
   if (left.empty()) return beside;
   const OtherCampaigns others = other_campaigns(loaded);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <iosfwd>
 #include <map>
 #include <string>
@@ -20,13 +19,11 @@ struct LeftBehind {
   std::string reason;  ///< "like G=1, but statistics.start_time 0.5 instead of 1"
 };
 
-/// What lies beside the cases of a campaign in its folder.
+/// The cases that lie beside those of a campaign in its folder.
 struct BesideTheCampaign {
   std::vector<LeftBehind> cases;         ///< that no campaign file asks for
   std::map<std::string, int> of_others;  ///< cases that another campaign file asks for, by its name
   std::vector<std::string> unreadable;   ///< other campaign files, whose cases may be among `cases`
-  std::vector<std::string> of_nobody;    ///< directories without a readable case file
-  std::vector<std::filesystem::path> being_removed;  ///< what a removal that was killed has left
 };
 
 [[nodiscard]] BesideTheCampaign beside_the_campaign(const LoadedCampaign& loaded);

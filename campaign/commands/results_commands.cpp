@@ -54,10 +54,13 @@ void tell_if_left_at_work(const std::filesystem::path& folder, Connection& store
 }
 
 Store results_of(const std::filesystem::path& folder, const std::optional<double>& from) {
-  Store store = Store::open(folder, OpenMode::kReadOnly);
-  tell_if_left_at_work(folder, store.connection());
-  if (!from) return store;
+  if (!from) {
+    Store store = Store::open(folder, OpenMode::kReadOnly);
+    tell_if_left_at_work(folder, store.connection());
+    return store;
+  }
   WindowedResults results = results_from(folder, *from);
+  tell_if_left_at_work(folder, results.store.connection());
   for (const std::string& trouble : results.troubles)
     std::cerr << "No result from t = " << *from << ": " << printable_lines(trouble) << "\n";
   return std::move(results.store);

@@ -1,6 +1,7 @@
 #include "campaign/store/settled.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "campaign/observe/observe.hpp"
 #include "campaign/store/import_results.hpp"
@@ -14,12 +15,10 @@ bool is_settled(const CampaignCase& one, const CaseRecord& known, const RunFiles
       !has_reached(known.reached_time, one.definition.run.end_time))
     return false;
   const std::string looked_at = std::max(known.state_since, known.checkpoints_seen);
-  const auto is_unchanged = [&](const std::filesystem::path& place) {
-    return change_time(place) < looked_at;
-  };
-  return !change_time(run.directory).empty() && is_unchanged(run.directory) &&
-         is_unchanged(run.checkpoints()) && is_unchanged(run.case_file()) && is_unchanged(run.summary()) &&
-         is_unchanged(run.statistics());
+  const std::string of_directory = change_time(run.directory);
+  if (of_directory.empty() || of_directory >= looked_at) return false;
+  const std::array inside = {run.checkpoints(), run.case_file(), run.summary(), run.statistics()};
+  return std::ranges::all_of(inside, [&](const auto& place) { return change_time(place) < looked_at; });
 }
 
 Observation settled_observation(const CampaignCase& one, const CaseRecord& known) {
