@@ -41,11 +41,9 @@ struct PlannedCampaign {
 
 std::optional<int> job_minutes(const Launcher& launcher, const CampaignCase& one, const Observation& seen,
                                Outlook outlook) {
-  const bool is_next =
-      outlook == Outlook::kStart || outlook == Outlook::kResume || outlook == Outlook::kWaiting;
   LaunchRequest request;
   request.needed_seconds = measured_seconds_left(one, seen);
-  return is_next ? launcher.job_minutes(request) : std::nullopt;
+  return may_start(outlook) ? launcher.job_minutes(request) : std::nullopt;
 }
 
 PlannedCampaign plan_all(const LoadedCampaign& loaded) {

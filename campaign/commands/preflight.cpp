@@ -102,9 +102,9 @@ void add_obstacles_of_cases(const Campaign& campaign, const std::vector<Decision
   for (Mistake& mistake : mistakes.all(cases)) result.mistakes.push_back(std::move(mistake));
 }
 
-void add(const BadInput& error, Preflight& result) {
+void add(const BadInput& error, std::vector<Mistake>& mistakes) {
   for (const Mistake& mistake : error.mistakes)
-    result.mistakes.push_back({error.source, mistake.given, mistake.allowed});
+    mistakes.push_back({error.source, mistake.given, mistake.allowed});
 }
 
 /// Most ranks of a case that is yet to be started; 0: there is none, and nothing needs to be tried.
@@ -115,11 +115,11 @@ int most_ranks(const Campaign& campaign, const std::vector<Decision>& decisions)
   return most;
 }
 
-void prepare(Launcher& launcher, const fs::path& solver, int ranks, Preflight& result) {
+void prepare(Launcher& launcher, const fs::path& solver, int ranks, std::vector<Mistake>& mistakes) {
   try {
     launcher.prepare(solver, ranks);
   } catch (const BadInput& error) {
-    add(error, result);
+    add(error, mistakes);
   }
 }
 
@@ -160,8 +160,8 @@ Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>
   const bool here = launcher.capacity().has_value();  // else a scheduler knows its machines, and we do not
   Machine machine{campaign.execution.cores, here ? memory_here() : 0.0, {}};
   const int ranks = most_ranks(campaign, decisions);
-  Preflight missing;  // what nobody needs where nothing is to be started
-  Preflight& of_programs = ranks > 0 ? result : missing;
+  std::vector<Mistake> unneeded;  // of programs, where nothing is to be started
+  std::vector<Mistake>& of_programs = ranks > 0 ? result.mistakes : unneeded;
   std::optional<fs::path> solver;
   try {
     solver = find_solver();
@@ -172,7 +172,7 @@ Preflight preflight(const LoadedCampaign& loaded, const std::vector<Observation>
   add_obstacles_of_cases(campaign, decisions, machine, result);
   add_paths_that_are_too_long(loaded, decisions, result);
   if (solver && result.mistakes.empty()) prepare(launcher, *solver, ranks, of_programs);
-  if (!missing.mistakes.empty()) result.no_programs = BadInput("", missing.mistakes).what();
+  if (!unneeded.empty()) result.no_programs = BadInput("", unneeded).what();
   result.disk = disk_need(campaign, observations);
   result.disk_free_bytes = static_cast<double>(fs::space(loaded.folder).available);
   result.memory_bytes = memory_side_by_side(campaign, decisions);

@@ -36,9 +36,8 @@ struct Ladder {
 
 /// What is said of a case that is not started over by itself.
 inline constexpr const char* kNoCheckpointLeft =
-    "it had checkpoints, and none is there that can be used (is its disk mounted?); what was recorded of it "
-    "is "
-    "kept; to let it start from the beginning: resume --start-over";
+    "it had checkpoints, and none is there that can be used (is its disk mounted?); "
+    "what was recorded of it is kept; to let it start from the beginning: resume --start-over";
 
 /// All checkpoints of a run directory for the store, judged by their headers, then those just set aside.
 [[nodiscard]] std::vector<CheckpointRecord> checkpoint_records(const RunFiles& run,

@@ -1,13 +1,13 @@
 #include "solver/time/initial.hpp"
-#include "solver/case/wall_normal_grid.hpp"
-#include "solver/time/advance.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 
+#include "solver/case/wall_normal_grid.hpp"
 #include "solver/fluid/forcing.hpp"
 #include "solver/grid/cell_loop.hpp"
+#include "solver/time/advance.hpp"
 
 namespace softwall::time {
 

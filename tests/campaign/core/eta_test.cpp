@@ -29,6 +29,15 @@ class Eta : public ::testing::Test {
     seen_[i].newest_checkpoint = "its last one";
   }
 
+  /// At t = 40, with steps of 0.1 that take 2 s each.
+  static Status report_of_solver() {
+    Status status;
+    status.time = 40;
+    status.dt = 0.1;
+    status.seconds_per_step = 2;
+    return status;
+  }
+
   Campaign campaign_ = tests::campaign_of(tests::elastic_campaign());  // a precursor and four elastic cases
   std::vector<Observation> seen_;
   std::map<std::string, Status> working_;
@@ -103,11 +112,7 @@ TEST_F(Eta, OfACaseThatHasRunIsWhatWasMeasuredOfItself) {
 
 TEST_F(Eta, BelievesARunningSolver) {
   for (std::size_t i = 0; i < 4; ++i) finish(i);
-  Status status;
-  status.time = 40;
-  status.dt = 0.1;
-  status.seconds_per_step = 2;
-  working_[seen_[4].case_id] = status;
+  working_[seen_[4].case_id] = report_of_solver();
   EXPECT_NEAR(left(1), (50 - 40) / 0.1 * 2, 1e-6);
 }
 
@@ -143,10 +148,7 @@ TEST_F(Eta, CountsTheRanksThatASpeedWasMeasuredOn) {
 /// It takes as many cores as it works on.
 TEST_F(Eta, CountsTheRanksOfARunningSolver) {
   for (std::size_t i = 0; i < 3; ++i) finish(i);
-  Status status;
-  status.time = 40;
-  status.dt = 0.1;
-  status.seconds_per_step = 2;
+  Status status = report_of_solver();
   status.ranks = 2;
   working_[seen_[3].case_id] = working_[seen_[4].case_id] = status;
   EXPECT_NEAR(left(2), 2 * (50 - 40) / 0.1 * 2, 1e-6);
