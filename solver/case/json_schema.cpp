@@ -1,6 +1,7 @@
 #include "solver/case/json_schema.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -66,13 +67,6 @@ std::vector<std::string> known_keys(const json& node) {
 
 std::string printable_pointer(const Pointer& pointer) { return printable_excerpt(pointer.to_string(), 200); }
 
-void add_unknown(const json& object, const json& node, const Pointer& at, std::vector<Mistake>& mistakes) {
-  if (node.value("additionalProperties", json(true)) != json(false)) return;
-  const auto known = known_keys(node);
-  for (const auto& [key, unused] : object.items())
-    if (!node.at("properties").contains(key)) mistakes.push_back(unknown_key(at.to_string(), key, known));
-}
-
 void add_missing(const json& object, const json& node, const Pointer& at, std::vector<Mistake>& mistakes) {
   for (const std::string key : node.value("required", json::array())) {
     if (object.contains(key)) continue;
@@ -122,6 +116,30 @@ void walk_together(const Member& node, Object& object, const Visit& visit) {
 const Member* described(const Member& node, const std::string& key) {
   const auto found = std::ranges::lower_bound(node.members, key, {}, &Member::key);
   return found != node.members.end() && found->key == key ? &*found : nullptr;
+}
+
+/// Where a member of this name is described, in the object `at` of a document or below: "in /physics/solid".
+std::vector<std::string> homes_of(const std::string& key, const Member& node, const std::string& at) {
+  std::vector<std::string> homes;
+  if (described(node, key)) homes.push_back(at.empty() ? "at the top level" : "in " + at);
+  for (const Member& child : node.members)
+    std::ranges::move(homes_of(key, child, at + "/" + child.key), std::back_inserter(homes));
+  return homes;
+}
+
+/// An unknown key may be a known one of another object: "G" in /physics instead of /physics/solid.
+void add_unknown(const json& object, const json& node, const Pointer& at, const Member& root,
+                 std::vector<Mistake>& mistakes) {
+  if (node.value("additionalProperties", json(true)) != json(false)) return;
+  const auto known = known_keys(node);
+  for (const auto& [key, unused] : object.items()) {
+    if (node.at("properties").contains(key)) continue;
+    Mistake mistake = unknown_key(at.to_string(), key, known);
+    const auto homes = homes_of(key, root, "");
+    if (homes.size() == 1) mistake.allowed = "belongs " + homes.front();
+    if (homes.size() == 2) mistake.allowed = "belongs " + homes.front() + " or " + homes.back();
+    mistakes.push_back(std::move(mistake));
+  }
 }
 
 void fill(const Member& node, json& value) {
@@ -198,7 +216,7 @@ std::vector<Mistake> JsonSchema::mistakes(const json& document) const {
     if (!value || !node) continue;
     const std::size_t before = found.size();
     if (value->is_object() && node->contains("properties")) {
-      add_unknown(*value, *node, at, found);
+      add_unknown(*value, *node, at, compiled_->root, found);
       add_missing(*value, *node, at, found);
     }
     if (found.size() == before && !has_deeper(places, name))

@@ -59,6 +59,12 @@ TEST(JsonSchema, NamesMissingAndUnknownKeys) {
   EXPECT_EQ(found(R"({"name": "x", "size": []})"), "/size: []; must be an object\n");
 }
 
+TEST(JsonSchema, TellsWhereAMisplacedKeyBelongs) {
+  EXPECT_EQ(found(R"({"name": "x", "width": 2})"), "/width: unknown key; belongs in /size\n");
+  EXPECT_EQ(found(R"({"name": "x", "size": {"list": []}})"),
+            "/size/list: unknown key; belongs at the top level\n");
+}
+
 TEST(JsonSchema, FillsDefaultsInsideDefaults) {
   json document = {{"name", "x"}};
   schema().fill_defaults(document);
