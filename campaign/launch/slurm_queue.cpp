@@ -17,7 +17,7 @@ struct State {
   bool leaves_no_process;
 };
 
-/// squeue(1), JOB STATE CODES.
+/// squeue(1), JOB STATE CODES. One that Slurm holds up waits, whether or not it keeps its nodes.
 constexpr std::array<State, 25> kStates = {{
     {"PENDING", Presence::kQueued, false},       {"CONFIGURING", Presence::kQueued, false},
     {"REQUEUED", Presence::kQueued, false},      {"REQUEUE_FED", Presence::kQueued, false},
@@ -25,7 +25,7 @@ constexpr std::array<State, 25> kStates = {{
     {"RESV_DEL_HOLD", Presence::kQueued, false}, {"RUNNING", Presence::kRunning, false},
     {"COMPLETING", Presence::kRunning, false},   {"RESIZING", Presence::kRunning, false},
     {"SIGNALING", Presence::kRunning, false},    {"STAGE_OUT", Presence::kRunning, false},
-    {"STOPPED", Presence::kRunning, false},      {"SUSPENDED", Presence::kRunning, false},
+    {"STOPPED", Presence::kQueued, false},       {"SUSPENDED", Presence::kQueued, false},
     {"COMPLETED", Presence::kGone, true},        {"FAILED", Presence::kGone, true},
     {"CANCELLED", Presence::kGone, true},        {"TIMEOUT", Presence::kGone, true},
     {"OUT_OF_MEMORY", Presence::kGone, true},    {"PREEMPTED", Presence::kGone, true},

@@ -78,8 +78,8 @@ RunnerReport Runner::pause_all(const std::string& reason) {
 }
 
 /// Another program holds the store: the solvers go on meanwhile, and what has to be recorded waits. False
-/// when the user has asked to stop and has waited long enough; the run directories hold what was not
-/// recorded.
+/// when the user has asked to stop and has waited long enough, or asks again although nothing else is waited
+/// for; the run directories hold what was not recorded.
 bool Runner::wait_for_store() {
   constexpr double kPauseSeconds = 5.0;  // a longer time without a lock ends the matter
   const double now = monotonic_seconds();
@@ -89,12 +89,11 @@ bool Runner::wait_for_store() {
                     Progress::Kind::kBad);
   }
   locked_seen_at_ = now;
-  if (signals_.stop_requests() > 0) {
-    pass_on_stop();
-    if (now - locked_since_ > options_.store_seconds) return false;
-  } else {
-    locked_since_ = now;
-  }
+  const int requests = signals_.stop_requests();
+  const bool stay = launcher_.attempts_stay();
+  if (requests == 0) locked_since_ = now;
+  if (requests > 0 && !stay) pass_on_stop();
+  if ((requests > 1 && stay) || now - locked_since_ > options_.store_seconds) return false;
   signals_.wait(options_.poll);
   return true;
 }

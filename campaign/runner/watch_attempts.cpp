@@ -63,13 +63,17 @@ void Runner::end_early(const CampaignCase& one, AttemptWatch& watch, double now)
 
 /// Ranks that never leave MPI_Init write nothing and take no request: they are noticed long before a step
 /// would be missed. An attempt that waits in a queue, or of which nobody can say whether it runs, is none of
-/// them; its time begins anew.
+/// them; its time begins when it has left the queue, which is therefore looked for all the while.
 void Runner::end_if_stalled(const CampaignCase& one, AttemptWatch& watch, double now) {
+  constexpr double kBetweenLooks = 0.05;  // of the shortest of the times that are allowed
+  const double shortest = std::min(options_.begin_seconds, options_.stall_seconds);
+  const bool may_wait = launcher_.attempts_stay() && watch.is_stalled(now, kBetweenLooks * shortest);
   const bool no_step = watch.is_stalled(now, options_.stall_seconds);
   const bool not_begun = !watch.begun && watch.is_stalled(now, options_.begin_seconds);
-  if (!no_step && !not_begun) return;
+  if (!may_wait && !no_step && !not_begun) return;
   const Presence presence = launcher_.presence(book_.files_of(one).directory, watch.handle);
   if (presence == Presence::kQueued || presence == Presence::kUnknown) watch.moved_at = now;
+  if (!no_step && !not_begun) return;
   if (presence != Presence::kRunning && !(no_step && presence == Presence::kGone)) return;
   StopGrace grace = grace_of_a_stalled_one(options_);
   if (no_step) {

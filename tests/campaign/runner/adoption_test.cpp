@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <csignal>
+#include <utility>
 
 #include "campaign/observe/history.hpp"
 #include "campaign/observe/run_reports.hpp"
+#include "campaign/store/store_file.hpp"
 #include "campaign/system/clock.hpp"
 #include "tests/campaign/runner/fake_batch_system.hpp"
 #include "tests/campaign/runner/runner_fixture.hpp"
@@ -138,6 +140,27 @@ TEST_F(AdoptionTest, JobsGoOnWhenTheRunnerIsAskedToLeave) {
   EXPECT_EQ(next.adopted, std::vector{precursor_id()});
 }
 
+/// A database browser holds results.db when jobs end: what cannot be recorded now is found by the next
+/// softwall.
+TEST_F(AdoptionTest, JobsGoOnWhenTheRunnerIsAskedToLeaveALockedStore) {
+  { static_cast<void>(Store::open(folder_.path(), OpenMode::kCreate)); }
+  Connection browser = Connection::open(store_path(folder_.path()), Access::kReadWrite);
+  test::BatchLauncher launcher(system_);
+  bool is_held = false;
+  launcher.on_pass = [&] {
+    if (launcher.started.size() < 5 || std::exchange(is_held, true)) return;
+    browser.execute("BEGIN IMMEDIATE");
+    raise(SIGINT);
+    raise(SIGTERM);
+  };
+  EXPECT_TRUE(run(launcher).stopped);
+  EXPECT_TRUE(launcher.stops.empty()) << "nobody was asked to end";
+  browser.execute("ROLLBACK");
+  test::BatchLauncher next(system_);
+  EXPECT_EQ(run(next).finished, 5U);
+  EXPECT_TRUE(next.started.empty());
+}
+
 /// A limit of jobs, or cases that wait for company in a job: nobody submits them once softwall has left.
 TEST_F(AdoptionTest, WhatWasNotYetSubmittedIsNotLeftAsIfItRan) {
   test::BatchLauncher launcher(system_);
@@ -199,6 +222,24 @@ TEST_F(AdoptionTest, AJobThatWaitsForLongIsNotTakenForOneThatHangs) {
   options.stall_seconds = options.begin_seconds = 0.005;
   system_.is_full = true;
   EXPECT_EQ(run(launcher, options).finished, 5U);
+}
+
+/// The time that its ranks may take to begin is counted from when it leaves the queue.
+TEST_F(AdoptionTest, AJobThatHasJustLeftTheQueueIsGivenItsTime) {
+  constexpr double kWait = 1.5, kBegin = 1.0;  // with the limit, 2, between the longer one and their sum
+  campaign_.cases.resize(1);
+  test::BatchLauncher launcher(system_);
+  double since = monotonic_seconds();
+  launcher.on_pass = [&] {
+    const bool queued = system_.jobs.empty() || system_.jobs.begin()->second.state == Presence::kQueued;
+    const double now = monotonic_seconds();
+    system_.is_full = now - since < (queued ? kWait : kBegin);
+    if (!system_.is_full) since = now;
+  };
+  RunnerOptions options;
+  options.begin_seconds = 2.0;
+  EXPECT_EQ(run(launcher, options).finished, 1U);
+  EXPECT_TRUE(launcher.stops.empty());
 }
 
 /// A runner that is killed while its request is on the way to the batch system must find the job again.
