@@ -1,8 +1,12 @@
 #include "campaign/commands/campaign_folder.hpp"
 
+#include <string>
+#include <unordered_map>
+
 #include "campaign/core/campaign_file.hpp"
 #include "campaign/launch/make_launcher.hpp"
 #include "campaign/observe/case_directories.hpp"
+#include "campaign/observe/ladder.hpp"
 #include "campaign/observe/observe.hpp"
 #include "campaign/store/settled.hpp"
 #include "campaign/store/store.hpp"
@@ -28,14 +32,14 @@ void require_current_folder(const fs::path& path) {
                  {{"", "a relative path, but the current folder is not there any more", "an absolute path"}});
 }
 
-fs::path campaign_file(const fs::path& path) {
-  if (!is_folder(path)) return path;
+fs::path existing_campaign_file(const fs::path& path) {
+  const fs::path file = campaign_file(path);
   std::error_code unreadable;
-  if (!fs::exists(path / kCampaignFile, unreadable)) {
+  if (is_folder(path) && !fs::exists(file, unreadable)) {
     throw BadInput(path.string(),
                    {{"", "a folder without a campaign.json", "a campaign file, or its folder"}});
   }
-  return path / kCampaignFile;
+  return file;
 }
 
 /// The folder without symbolic links, because a solver that works there knows it by this name.
@@ -44,11 +48,40 @@ fs::path folder_of(const fs::path& path) {
   return fs::weakly_canonical(folder);
 }
 
+/// By case id, the starting points that are still of use: of each, whether a case has yet to start from it.
+std::unordered_map<std::string, bool> starting_points(const Campaign& campaign,
+                                                      const std::vector<Observation>& observations) {
+  std::unordered_map<std::string, bool> needed;
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const std::string& start = campaign.cases[i].precursor_id;
+    if (!start.empty()) needed[start] = needed[start] || has_yet_to_start(observations[i]);
+  }
+  return needed;
+}
+
+/// A starting point from which all cases have started needs its checkpoints no longer; one that has lost them
+/// before starts over, where a person lets it.
+void look_at_starting_points(const Campaign& campaign, std::vector<Observation>& observations,
+                             bool start_over) {
+  const auto needed = starting_points(campaign, observations);
+  for (Observation& seen : observations) {
+    const auto start = needed.find(seen.case_id);
+    if (start == needed.end() || seen.state != CaseState::kFinished) continue;
+    if (seen.needs_person != kNoCheckpointLeft) continue;
+    if (!start->second) seen.needs_person.clear();
+    if (!start->second || !start_over) continue;
+    seen.state = CaseState::kInterrupted;  // and no longer one that has finished
+    seen = without_lost_checkpoints(seen);
+  }
+}
+
 }  // namespace
+
+fs::path campaign_file(const fs::path& path) { return is_folder(path) ? path / kCampaignFile : path; }
 
 LoadedCampaign load_campaign(const fs::path& path) {
   require_current_folder(path);
-  const fs::path file = campaign_file(path);
+  const fs::path file = existing_campaign_file(path);
   LoadedCampaign loaded{read_campaign(file), folder_of(file), {}, {}};
   const CaseDirectories directories = existing_directories(loaded.folder);
   if (const auto existing = existing_cases(loaded.campaign, loaded.folder, directories); !existing.empty())
@@ -74,8 +107,9 @@ std::vector<Observation> observe_for_run(const LoadedCampaign& loaded, const Lau
   auto observations = observe_with_history(loaded, launcher);
   for (Observation& seen : observations) {
     seen.attempts_without_progress = 0;
-    if (start_over) seen = without_lost_checkpoints(seen);
+    if (start_over) seen = without_divergence(without_lost_checkpoints(seen));
   }
+  look_at_starting_points(loaded.campaign, observations, start_over);
   return observations;
 }
 
@@ -83,6 +117,8 @@ fs::path folder_with_store(const fs::path& path) {
   require_current_folder(path);
   const fs::path folder = folder_of(path);
   std::error_code unreadable;
+  if (!fs::exists(path, unreadable))
+    throw BadInput(path.string(), {{"", "there is no such file", "a campaign file, or its folder"}});
   if (!fs::exists(store_path(folder), unreadable)) {
     throw BadInput(path.string(), {{"", "no results store there (" + store_path(folder).string() + ")",
                                     "the folder of a campaign that has been run"}});

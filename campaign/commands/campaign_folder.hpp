@@ -17,6 +17,9 @@ struct LoadedCampaign {
   std::filesystem::path file;   ///< absolute
 };
 
+/// The campaign file that a path means: itself or, where it is a folder, the campaign.json there.
+[[nodiscard]] std::filesystem::path campaign_file(const std::filesystem::path& path);
+
 /// From a campaign file, or from a folder with a campaign.json. Throws BadInput.
 [[nodiscard]] LoadedCampaign load_campaign(const std::filesystem::path& path);
 

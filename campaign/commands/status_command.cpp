@@ -42,7 +42,10 @@ Snapshot look(const LoadedCampaign& loaded) {
   Snapshot now;
   now.owner = living_owner(loaded.folder);
   now.owner_is_unknown = owner_is_unknown(loaded.folder);
-  now.observations = observe_with_history(loaded, *make_launcher(loaded.campaign.execution));
+  const auto launcher = make_launcher(loaded.campaign.execution);
+  const bool nobody_runs_it = !now.owner && !now.owner_is_unknown;  // who does so next grants another try
+  now.observations =
+      nobody_runs_it ? observe_for_run(loaded, *launcher) : observe_with_history(loaded, *launcher);
   for (std::size_t i = 0; i < now.observations.size(); ++i) {
     const CampaignCase& one = loaded.campaign.cases[i];
     if (const auto status = report_of_work(run_files(loaded.folder, one), now.observations[i]))

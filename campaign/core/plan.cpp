@@ -83,7 +83,9 @@ class Planner {
   [[nodiscard]] std::string why_blocked(const CampaignCase& c, const Observation& seen) const {
     const Execution& execution = campaign_.execution;
     if (seen.state == CaseState::kDiverged)
-      return "diverged" + after(seen) + "; it would do so again unchanged";
+      return "diverged" + after(seen) +
+             "; it would do so again unchanged (another version of the solver "
+             "may not: remove its checkpoints, then resume --start-over)";
     if (!seen.needs_person.empty()) return seen.needs_person;
     if (!seen.retry_allowed) return "cannot succeed unchanged" + after(seen);
     if (seen.attempts_without_progress >= execution.max_failures_without_progress)

@@ -166,13 +166,32 @@ Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run
   return observation;
 }
 
-Observation without_lost_checkpoints(Observation observation) {
-  if (observation.needs_person != kNoCheckpointLeft) return observation;
+namespace {
+
+Observation from_the_beginning(Observation observation) {
   observation.needs_person.clear();
   observation.state = CaseState::kNew;
   observation.step = 0;
   observation.time = 0;
   return observation;
+}
+
+}  // namespace
+
+bool has_yet_to_start(const Observation& seen) {
+  const bool is_over = seen.state == CaseState::kFinished || seen.state == CaseState::kDiverged;
+  return !is_over && !seen.running && !seen.newest_checkpoint;
+}
+
+Observation without_lost_checkpoints(Observation observation) {
+  const bool has_finished = observation.state == CaseState::kFinished;
+  return observation.needs_person == kNoCheckpointLeft && !has_finished ? from_the_beginning(observation)
+                                                                        : observation;
+}
+
+Observation without_divergence(Observation observation) {
+  const bool is_cleared = observation.state == CaseState::kDiverged && !observation.newest_checkpoint;
+  return is_cleared ? from_the_beginning(observation) : observation;
 }
 
 namespace {

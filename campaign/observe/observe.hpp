@@ -37,8 +37,14 @@ namespace softwall::campaign {
 /// `attempts` is the newest attempt that left a trace; counting failures is the store's business.
 [[nodiscard]] Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run);
 
-/// The observation of a case that a person lets start over: lost checkpoints no longer stand in its way.
+/// It has yet to take its start from the checkpoint of another case, where it takes one.
+[[nodiscard]] bool has_yet_to_start(const Observation& seen);
+
+/// The observation of a case that a person lets start over: lost checkpoints no longer stand in its way. One
+/// that has finished needs none.
 [[nodiscard]] Observation without_lost_checkpoints(Observation observation);
+/// The same of one that has diverged, once a person has removed its checkpoints.
+[[nodiscard]] Observation without_divergence(Observation observation);
 
 /// What the solver at work in a run directory has reported; nothing where none works there, or its attempt
 /// has yet to report and what stands there is of an earlier one.

@@ -62,6 +62,11 @@ void CaseBook::mark_unfinished(const CampaignCase& one, const std::filesystem::p
   now.reason = reason;
 }
 
+void CaseBook::forgive_divergence(const CampaignCase& one) {
+  Observation& now = observations_[index_of(one.definition.id)];
+  now = without_divergence(now);
+}
+
 void CaseBook::mark_running(const CampaignCase& one, Presence presence) {
   Observation& now = observations_[index_of(one.definition.id)];
   now.running = true;
@@ -130,11 +135,8 @@ std::size_t CaseBook::index_of(const std::string& case_id) const {
 bool CaseBook::is_needed(const CampaignCase& start) const {
   const auto found = started_by_.find(start.definition.id);
   if (found == started_by_.end()) return false;
-  return std::ranges::any_of(found->second, [&](std::size_t i) {
-    const Observation& seen = observations_[i];
-    const bool is_over = seen.state == CaseState::kFinished || seen.state == CaseState::kDiverged;
-    return !is_over && !seen.running && !seen.newest_checkpoint;
-  });
+  return std::ranges::any_of(found->second,
+                             [&](std::size_t i) { return has_yet_to_start(observations_[i]); });
 }
 
 }  // namespace softwall::campaign

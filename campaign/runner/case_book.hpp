@@ -41,6 +41,8 @@ class CaseBook {
   void settle(const CampaignCase& one, const CaseRecord& known);
   [[nodiscard]] bool is_settled(const CampaignCase& one) const;
   void mark_running(const CampaignCase& one, Presence presence = Presence::kRunning);
+  /// It has diverged, and may be tried again: once, because what diverges again does so for ever.
+  void forgive_divergence(const CampaignCase& one);
   /// It has finished, but goes on from its last checkpoint, because something that it left is missing.
   void mark_unfinished(const CampaignCase& one, const std::filesystem::path& last_checkpoint,
                        const std::string& reason);

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "campaign/observe/observe.hpp"
 #include "campaign/observe/run_directory.hpp"
@@ -19,6 +21,13 @@ namespace {
 bool store_agrees_with_files(const CaseRecord& known, const Observation& files) {
   return known.state == CaseState::kFinished && files.state == CaseState::kFinished &&
          known.attempts == files.attempts && (!files.early || known.state_reason == files.reason);
+}
+
+/// Of a run directory that is away nothing can be derived; one without checkpoints may have its averages.
+bool has_averages(const RunFiles& run) {
+  std::error_code unreadable;
+  return std::filesystem::exists(run.statistics(), unreadable) &&
+         std::filesystem::exists(run.summary(), unreadable);
 }
 
 }  // namespace
@@ -48,7 +57,8 @@ bool Runner::recover_previous_run() {
     const CaseState state = seen.state;
     if (state == CaseState::kInterrupted || state == CaseState::kFailed || state == CaseState::kDiverged)
       import_result_so_far(store_, one, book_.files_of(one), state);
-    if (state != CaseState::kFinished || !seen.needs_person.empty()) continue;
+    if (state != CaseState::kFinished) continue;
+    if (!seen.needs_person.empty() && !has_averages(book_.files_of(one))) continue;
     const auto origin = origins.find(one.definition.id);
     if (origin == origins.end() || !is_recorded(origin->second, one, book_.files_of(one), seen.time))
       deliver_result(one);
@@ -98,6 +108,7 @@ void Runner::record_what_is_new() {
     const CampaignCase& one = book_.campaign().cases[i];
     if (is_settled(one)) continue;
     book_.look_at(one, seen[i], after.at(one.definition.id));
+    if (options_.start_over) book_.forgive_divergence(one);
     if (const auto at = working_.find(one.definition.id); at != working_.end())
       book_.mark_running(one, at->second.presence);
   }

@@ -55,10 +55,11 @@ void restore_newest_attempt(Store& store, const CampaignCase& one, const RunFile
   store.restore_attempt(id, newest, start, describe_end(one, run, newest));
 }
 
-/// A run directory that is gone, or empty, tells nothing about a case that has come far.
+/// A run directory that is gone, or empty, tells nothing about a case that has come far, or has diverged.
 void record_state(Store& store, const std::string& case_id, const Observation& seen) {
   const auto known = store.find_case(case_id);
-  if (seen.state != CaseState::kNew || !known || !known->had_checkpoints)
+  const bool has_a_past = known && (known->had_checkpoints || known->state == CaseState::kDiverged);
+  if (seen.state != CaseState::kNew || !has_a_past)
     store.set_state(case_id, seen.state, seen.reason);
   else if (known->state == CaseState::kRunning)
     store.set_state(case_id, CaseState::kInterrupted, kNoCheckpointLeft);

@@ -248,7 +248,8 @@ TEST(Plan, AllThatWaitInALineNameTheOneThatCannotGoOn) {
   for (const char* id : {"B", "C"}) {
     EXPECT_EQ(decision(line(), now, id).outlook, Outlook::kBlocked);
     EXPECT_EQ(decision(line(), now, id).reason,
-              "needs A: diverged, after: too fast; it would do so again unchanged");
+              "needs A: diverged, after: too fast; it would do so again unchanged (another version of the "
+              "solver may not: remove its checkpoints, then resume --start-over)");
   }
   Campaign narrow = line();
   narrow.execution.cores = 1;

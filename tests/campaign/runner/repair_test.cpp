@@ -84,6 +84,41 @@ TEST_F(LadderTest, ACaseWhoseRunDirectoryIsGoneDoesNotStartOverUnasked) {
   EXPECT_EQ(run(launcher, options).finished, 5U);
 }
 
+std::vector<std::string> started_by(const FakeLauncher& launcher) {
+  std::vector<std::string> ids;
+  for (const LaunchRequest& request : launcher.started) ids.push_back(request.case_id);
+  return ids;
+}
+
+/// What has finished, and what it has left, is nothing that a person asks to be computed again.
+TEST_F(LadderTest, OnlyWhatHasNotFinishedStartsOver) {
+  FakeLauncher first(
+      [&](const LaunchRequest& request) { return request.case_id == id(1) ? 1 : finish(request); });
+  run(first);
+  std::filesystem::remove_all(run_files(folder_.path(), campaign_.cases[0]).checkpoints());
+  std::filesystem::remove_all(run_files(folder_.path(), campaign_.cases[2]).directory);
+  RunnerOptions options;
+  options.start_over = true;
+  FakeLauncher second([&](const LaunchRequest& request) { return finish(request); });
+  EXPECT_EQ(run(second, options).finished, 5U);
+  EXPECT_EQ(started_by(second), std::vector{id(1)}) << "from its own checkpoint; the precursor is not needed";
+  std::filesystem::remove_all(files().directory);
+  Store::open(folder_.path(), OpenMode::kReadWrite).set_state(id(1), CaseState::kInterrupted, "");
+  FakeLauncher third([&](const LaunchRequest& request) { return finish(request); });
+  EXPECT_EQ(run(third, options).finished, 5U);
+  EXPECT_EQ(started_by(third), (std::vector{id(0), id(1)})) << "which starts from the precursor";
+}
+
+TEST_F(RunnerTest, APrecursorWithoutCheckpointsGetsAnotherWindow) {
+  FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
+  run(launcher);
+  std::filesystem::remove_all(run_files(folder_.path(), campaign_.cases[0]).checkpoints());
+  campaign_.cases[0].window_start = 110;
+  run(launcher);
+  EXPECT_EQ(store().result_origin(id(0)).value().window_asked, 110);
+  EXPECT_EQ(launcher.started.size(), 5U);
+}
+
 TEST_F(RunnerTest, AFinishedCaseWhoseRunDirectoryIsGoneKeepsItsResultAndIsNotComputedAgain) {
   FakeLauncher launcher([&](const LaunchRequest& request) { return finish(request); });
   run(launcher);

@@ -173,6 +173,33 @@ TEST_F(RunnerTest, ADivergedCaseIsNeverRunAgain) {
   EXPECT_EQ(store().attempts(id(1)), 1);
 }
 
+/// Another version may do better: once somebody has removed what it left, it may be tried again, and once
+/// only.
+TEST_F(RunnerTest, ADivergedCaseMayStartOverWhenItsCheckpointsAreRemoved) {
+  FakeLauncher diverging([&](const LaunchRequest& request) {
+    if (request.case_id != id(1)) return finish(request);
+    test::write_summary(RunFiles{request.run_directory}, request.case_id, request.attempt, "diverged", 5,
+                        0.1);
+    return static_cast<int>(ExitCode::kDiverged);
+  });
+  run(diverging);
+  std::filesystem::remove_all(run_files(folder_.path(), campaign_.cases[1]).directory);
+  FakeLauncher unasked([&](const LaunchRequest& request) { return finish(request); });
+  EXPECT_EQ(run(unasked).failed.size(), 1U);
+  EXPECT_TRUE(unasked.started.empty());
+  RunnerOptions options;
+  options.start_over = true;
+  FakeLauncher still_diverging([&](const LaunchRequest& request) {
+    test::write_summary(RunFiles{request.run_directory}, request.case_id, request.attempt, "diverged", 5,
+                        0.1);
+    return static_cast<int>(ExitCode::kDiverged);
+  });
+  EXPECT_EQ(run(still_diverging, options).failed.size(), 1U);
+  EXPECT_EQ(still_diverging.started.size(), 1U);
+  FakeLauncher mended([&](const LaunchRequest& request) { return finish(request); });
+  EXPECT_EQ(run(mended, options).finished, 5U);
+}
+
 TEST_F(RunnerTest, AnElasticCaseWaitsForeverForAPrecursorThatFails) {
   FakeLauncher launcher([](const LaunchRequest&) { return 1; });
   const RunnerReport report = run(launcher);
