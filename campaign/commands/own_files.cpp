@@ -12,16 +12,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 6> kOwn = {"results.db",    "results.db-wal", "results.db-shm",
-                                                  "campaign.json", "campaign.lock",  "manager.log"};
+constexpr std::array<std::string_view, 7> kOwn = {"results.db",         "results.db-wal", "results.db-shm",
+                                                  "results.db-journal", "campaign.json",  "campaign.lock",
+                                                  "manager.log"};
 
 }  // namespace
 
 void refuse_own_files(const std::string& command, const fs::path& file, const fs::path& campaign) {
-  const fs::path target = fs::weakly_canonical(file);
-  const fs::path inside = target.lexically_relative(fs::weakly_canonical(folder_with_store(campaign)));
-  const bool own = std::ranges::find(kOwn, inside.string()) != kOwn.end() || *inside.begin() == "cases" ||
-                   target == fs::weakly_canonical(campaign);
+  const auto real = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
+  const fs::path target = real(file);
+  const fs::path inside = target.lexically_relative(real(folder_with_store(campaign)));
+  const bool is_of_a_case = !inside.empty() && *inside.begin() == "cases";
+  const bool own =
+      std::ranges::find(kOwn, inside.string()) != kOwn.end() || is_of_a_case || target == real(campaign);
   if (own) throw BadInput(command, {{"", file.string() + " belongs to the campaign itself", "another file"}});
 }
 

@@ -1,6 +1,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "campaign/commands/as_last_run.hpp"
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/own_files.hpp"
@@ -44,32 +45,39 @@ void tell_left_out(Connection& store) {
 }
 
 /// Nobody brings the store up to date any more, and it does not tell by itself.
-void tell_if_left_at_work(const std::filesystem::path& folder, Connection& store) {
+void tell_if_left_at_work(const WantedResults& wanted, Connection& store) {
+  const std::filesystem::path folder = folder_with_store(wanted.path);
   const std::int64_t cases =
       store.integer("SELECT count(*) FROM cases WHERE state = 'running' AND in_campaign = 1");
   if (cases == 0 || living_owner(folder) || owner_is_unknown(folder)) return;
   std::cerr << counted(cases, "case") << (cases == 1 ? " was" : " were")
             << " running when softwall stopped, which these results are from; what has become of "
-            << (cases == 1 ? "it" : "them") << ":  " << softwall_command("status", folder) << "\n";
+            << (cases == 1 ? "it" : "them") << ":  " << softwall_command("status", wanted.path) << "\n";
 }
 
-Store results_of(const std::filesystem::path& folder, const std::optional<double>& from) {
-  if (!from) {
+void tell_how_current(const WantedResults& wanted, Connection& store) {
+  tell_if_not_as_last_run(wanted.path, store);
+  tell_if_left_at_work(wanted, store);
+}
+
+Store results_of(const WantedResults& wanted) {
+  const std::filesystem::path folder = folder_with_store(wanted.path);
+  if (!wanted.from) {
     Store store = Store::open(folder, OpenMode::kReadOnly);
-    tell_if_left_at_work(folder, store.connection());
+    tell_how_current(wanted, store.connection());
     return store;
   }
-  WindowedResults results = results_from(folder, *from);
-  tell_if_left_at_work(folder, results.store.connection());
+  WindowedResults results = results_from(folder, *wanted.from);
+  tell_how_current(wanted, results.store.connection());
   for (const std::string& trouble : results.troubles)
-    std::cerr << "No result from t = " << *from << ": " << printable_lines(trouble) << "\n";
+    std::cerr << "No result from t = " << *wanted.from << ": " << printable_lines(trouble) << "\n";
   return std::move(results.store);
 }
 
 }  // namespace
 
 ExitStatus show_paper_tables(const WantedResults& wanted, OutputFormat format) {
-  Store store = results_of(folder_with_store(wanted.path), wanted.from);
+  Store store = results_of(wanted);
   if (format == OutputFormat::kText)
     write_paper_tables(std::cout, store.connection());
   else if (format == OutputFormat::kLatex)
@@ -81,10 +89,11 @@ ExitStatus show_paper_tables(const WantedResults& wanted, OutputFormat format) {
 }
 
 ExitStatus show_query(const WantedResults& wanted, const std::string& sql, OutputFormat format) {
-  Store store = results_of(folder_with_store(wanted.path), wanted.from);
+  Store store = results_of(wanted);
   try {
     write_table(std::cout, run_query(store.connection(), sql), table_format(format));
   } catch (const SqliteError& error) {
+    if (error.may_pass() || error.is_damage()) throw;  // no matter of what was asked
     throw BadInput("query", {{"", error.what(), advice_for_query(store.connection(), error.what())}});
   }
   return ExitStatus::kDone;
@@ -92,8 +101,7 @@ ExitStatus show_query(const WantedResults& wanted, const std::string& sql, Outpu
 
 ExitStatus export_campaign(const WantedResults& wanted, OutputFormat format,
                            const std::optional<std::filesystem::path>& file) {
-  const auto folder = folder_with_store(wanted.path);
-  Store store = results_of(folder, wanted.from);
+  Store store = results_of(wanted);
   const ResultTable results = export_results(store.connection());
   tell_left_out(store.connection());
   if (!file) {

@@ -8,9 +8,11 @@
 #include <system_error>
 #include <vector>
 
+#include "campaign/commands/as_last_run.hpp"
 #include "campaign/commands/campaign_folder.hpp"
 #include "campaign/commands/commands.hpp"
 #include "campaign/commands/own_files.hpp"
+#include "campaign/store/store.hpp"
 #include "campaign/system/find_program.hpp"
 
 /// Figures and reports are drawn by Python scripts (analysis/), which softwall finds and becomes.
@@ -58,6 +60,7 @@ fs::path python() {
 std::vector<std::string> common_options(const std::string& command, const WantedResults& wanted,
                                         const std::optional<fs::path>& output) {
   std::vector<std::string> words{folder_with_store(wanted.path)};
+  tell_if_not_as_last_run(wanted.path, Store::open(words[0], OpenMode::kReadOnly).connection());
   if (output) refuse_own_files(command, *output, wanted.path);
   if (output) words.insert(words.end(), {"-o", *output});
   if (wanted.from) words.insert(words.end(), {"--from", nlohmann::json(*wanted.from).dump()});
