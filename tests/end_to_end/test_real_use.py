@@ -178,6 +178,13 @@ class RealUse(EndToEndTest):
         self.assertIn("pilot.json: a campaign file that cannot be read", refused.stderr)
         self.assertTrue((case / "case.json").exists())
         pilot.unlink()
+        pilot.symlink_to(campaign.folder / "on-a-disk-that-is-away.json")
+        self.assertEqual(campaign.call("clean", "--remove").returncode, 2)
+        pilot.unlink()
+        pilot = campaign.folder / "pilot.txt"
+        pilot.write_text(json.dumps(RIGID))
+        self.assertIn("Kept for pilot.txt", campaign.call("clean").stdout)
+        pilot.unlink()
 
         (campaign.folder / "cases" / "notes").mkdir()
         rest = case.with_name(".removed-" + case.name)  # of a removal that was killed
@@ -260,6 +267,24 @@ class RealUse(EndToEndTest):
             for words in (("export", "--csv"), ("report",), ("figures",)):
                 self.assertEqual(campaign.call(*words, "-o", str(campaign.folder / own)).returncode, 2, own)
         self.assertEqual(len(campaign.query("SELECT * FROM results")), 1)
+
+    def test_results_are_those_of_the_campaign_file_that_was_run(self):
+        campaign = self.campaign(RIGID)
+        self.run_to_end(campaign)
+        other = campaign.folder / "other.json"
+        other.write_text(json.dumps(changed(RIGID, name="other")))
+        for path, told in ((campaign.folder, False), (campaign.folder / "campaign.json", False), (other, True)):
+            for words in (["table"], ["export", "--csv"], ["query", "SELECT 1"]):
+                answer = subprocess.run([SOFTWALL, words[0], str(path), *words[1:]], capture_output=True, text=True)
+                self.assertEqual(answer.returncode, 0, answer.stderr)
+                self.assertEqual("as it was last run" in answer.stderr, told, answer.stderr)
+        missing = subprocess.run([SOFTWALL, "table", str(campaign.folder / "none.json")], capture_output=True, text=True)
+        self.assertEqual(missing.returncode, 2)
+        self.assertIn("there is no such file", missing.stderr)
+        relative = subprocess.run([SOFTWALL, "export", ".", "--csv", "-o", "new.csv"], cwd=campaign.folder)
+        self.assertEqual(relative.returncode, 0)
+        own = subprocess.run([SOFTWALL, "export", ".", "--csv", "-o", "cases/new.csv"], cwd=campaign.folder, stderr=subprocess.DEVNULL)
+        self.assertEqual(own.returncode, 2)
 
     def test_strange_names_reach_no_terminal_and_commands_can_be_copied(self):
         campaign = self.campaign(changed(RIGID, name="a\n\x1b[31mred", run={"end_time": 0.8}))
