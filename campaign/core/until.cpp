@@ -81,10 +81,24 @@ bool are_met(const std::vector<IntervalTarget>& targets,
   });
 }
 
+namespace {
+
+/// As it was written: 0.9 % is stored as a share that is not quite a hundredth of it.
+double in_percent(double share) {
+  constexpr int kDigits = 15;  // which every number keeps
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.begin(), text.end(), share * 100, std::chars_format::general, kDigits);
+  double percent = 0;
+  std::from_chars(text.data(), end.ptr, percent);
+  return percent;
+}
+
+}  // namespace
+
 std::string describe(const std::vector<IntervalTarget>& targets) {
   std::string text;
   for (const IntervalTarget& target : targets) {
-    const json number = normalised_number(target.relative ? target.most * 100 : target.most);
+    const json number = normalised_number(target.relative ? in_percent(target.most) : target.most);
     text += (text.empty() ? "" : ", ") + target.quantity + " within " + quoted(number) +
             (target.relative ? " %" : "");
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "tests/campaign/core/examples.hpp"
 
@@ -14,7 +15,7 @@ using tests::campaign_of;
 using tests::complaint_about;
 using tests::elastic_campaign;
 
-json until(const char* text) {
+json until(const std::string& text) {
   json document = elastic_campaign();
   document["until"] = json::parse(text);
   return document;
@@ -31,6 +32,13 @@ TEST(Until, IsOfTheCasesAndNotOfThePrecursor) {
   EXPECT_TRUE(campaign.cases.front().until.empty());
   ASSERT_EQ(campaign.cases.back().until.size(), 2U);
   EXPECT_EQ(describe(campaign.cases.back().until), "delta_max within 0.001, re_tau within 2 %");
+}
+
+TEST(Until, IsToldAsItWasWritten) {
+  for (const std::string share : {"0.9 %", "1.7 %", "3.3 %", "10 %", "0.001 %"}) {
+    const auto campaign = campaign_of(until(R"({"re_tau_ci95": ")" + share + R"("})"));
+    EXPECT_EQ(describe(campaign.cases.back().until), "re_tau within " + share);
+  }
 }
 
 TEST(Until, IsNoPartOfACase) {
