@@ -2,6 +2,7 @@
 number by number for arrays. README.md, "Uncertainty", gives the recipe and its reason."""
 
 import copy
+import math
 
 import numpy as np
 
@@ -80,9 +81,17 @@ def half_width(case, quantity):
     return width[()]
 
 
-def text(value, width, digits):
+def decimals(value, width, usual):
+    """Two digits of the half width or, without one, as many as usual; but what is not zero does not read as zero."""
+    known = width is not None and not np.isnan(width)
+    smallest = width if known else value if abs(value) < 0.5 * 10**-usual else 0
+    return max(0, 1 - math.floor(math.log10(abs(smallest)))) if smallest else usual
+
+
+def text(value, width, usual):
     """A number with its interval, "178.5 +- 1.2", or "178.5 -" as in the table where there is none; "-" without a number."""
     if np.isnan(value):
         return "-"
+    digits = decimals(value, width, usual)
     interval = "-" if width is None or np.isnan(width) else f"+- {width:.{digits}f}"
     return f"{value:.{digits}f} {interval}"

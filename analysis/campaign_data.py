@@ -5,10 +5,12 @@ Everything is in units of the half height h, the bulk velocity U_b and density 1
 """
 
 import argparse
+import contextlib
 import csv
 import functools
 import json
 import math
+import os
 import pathlib
 import sqlite3
 import sys
@@ -46,9 +48,10 @@ def _shown(value):
 
 class Case:
     """One run directory with statistics. `mean(name)` is the time mean over the blocks of its averaging window, which
-    begins with the first one that starts at or after `start`."""
+    begins with the first one that starts at or after `start`. A case that the store gives no averages, because its window
+    has not begun or it has diverged, raises ValueError; with `any_state` it is averaged over all of its blocks."""
 
-    def __init__(self, directory, results, start=None):
+    def __init__(self, directory, results, start=None, any_state=False):
         self.directory = directory
         definition = json.loads((directory / "case.json").read_text())
         physics = with_defaults(definition["physics"])
@@ -67,9 +70,13 @@ class Case:
         self.physics = physics
         self.colour, self.style, self.varied = "black", "-", {}
         self.marker = None  # where cases differ in more than G and the viscosity ratio
-        if start is None or not self.elastic and self.results.get("is_precursor"):
+        state, is_precursor = self.results.get("state"), not self.elastic and self.results.get("is_precursor")
+        if start is None or is_precursor:
             start = self.results.get("window_start")
-        self._read_statistics(-math.inf if start is None else start)
+        self.has_averages = not self.results or start is not None and state != "diverged"  # without a store: of all blocks
+        if not self.has_averages and not any_state:
+            raise ValueError("it has diverged" if state == "diverged" else "no averages in its window yet")
+        self._read_statistics(start if start is not None and self.has_averages else -math.inf)
 
     def _read_statistics(self, start):
         with h5py.File(self.directory / "statistics.h5") as file:
@@ -173,41 +180,53 @@ def read_series_campaign(folder, flow, kind=SeriesCase):
     return sorted((case for case in cases if case.physics["flow"] == flow), key=lambda case: case.cells)
 
 
-def _read_results(campaign):
-    """Everything measured, by run directory and name, intervals as NAME_ci95; empty without a store."""
+def ask_store(campaign, question):
+    """All rows of the answer; none without a store. Where the folder cannot be written SQLite cannot make the files by which
+    readers and writers meet: a store without an unfinished change is then read as a file that nobody changes."""
     store = campaign / "results.db"
     if not store.exists():
-        return {}
-    with sqlite3.connect(f"{store.resolve().as_uri()}?mode=ro", uri=True) as connection:
-        rows = connection.execute(
-            "SELECT c.directory, q.quantity, q.value, q.ci95, q.window_start, c.is_precursor"
-            " FROM quantities q JOIN cases c USING (case_id)")
-        results = {}
-        for directory, quantity, value, ci95, window_start, is_precursor in rows:
-            of_case = results.setdefault(pathlib.Path(directory).name, {})
-            of_case[quantity], of_case[quantity + "_ci95"] = value, ci95
-            of_case["window_start"], of_case["is_precursor"] = window_start, is_precursor
-        return results
+        return []
+
+    def answer(more=""):
+        with contextlib.closing(sqlite3.connect(f"{store.resolve().as_uri()}?mode=ro{more}", uri=True)) as connection:
+            return connection.execute(question).fetchall()
+
+    try:
+        return answer()
+    except sqlite3.OperationalError:
+        log = store.with_name(store.name + "-wal")
+        if os.access(campaign, os.W_OK) or log.exists() and log.stat().st_size > 0:
+            raise
+        return answer("&immutable=1")
+
+
+def _read_results(campaign):
+    """Everything measured, by run directory and name, intervals as NAME_ci95, and what state the case is in; empty without a
+    store."""
+    results = {}
+    for directory, state, is_precursor in ask_store(campaign, "SELECT directory, state, is_precursor FROM cases"):
+        results[pathlib.Path(directory).name] = {"state": state, "is_precursor": is_precursor}
+    measured = "SELECT directory, quantity, value, ci95, window_start FROM quantities JOIN cases USING (case_id)"
+    for directory, quantity, value, ci95, window_start in ask_store(campaign, measured):
+        of_case = results[pathlib.Path(directory).name]
+        of_case[quantity], of_case[quantity + "_ci95"], of_case["window_start"] = value, ci95, window_start
+    return results
 
 
 def case_directories(campaign):
     """The run directories of the campaign as it is now; what earlier versions of its file left behind is named."""
     directories = sorted(path for path in campaign.glob("cases/[!.]*") if path.is_dir())
-    store = campaign / "results.db"
-    if not store.exists():
-        return directories
-    with sqlite3.connect(f"{store.resolve().as_uri()}?mode=ro", uri=True) as connection:
-        rows = connection.execute("SELECT directory FROM cases WHERE in_campaign = 0")
-        left_over = {pathlib.Path(directory).name for (directory,) in rows}
+    rows = ask_store(campaign, "SELECT directory FROM cases WHERE in_campaign = 0")
+    left_over = {pathlib.Path(directory).name for (directory,) in rows}
     left_out = [path.name for path in directories if path.name in left_over and (path / "statistics.h5").exists()]
     if left_out:
         tell(f"left out, no longer part of the campaign: {', '.join(left_out)}")
     return [path for path in directories if path.name not in left_over]
 
 
-def read_campaign(options):
-    """All cases with usable statistics, rigid first, then by viscosity ratio and falling G. `options`: what
-    arguments() returned."""
+def read_campaign(options, any_state=False):
+    """All cases with averages, rigid first, then by viscosity ratio and falling G; with `any_state` all that have statistics.
+    `options`: what arguments() returned."""
     campaign = pathlib.Path(options.campaign)
     if not campaign.is_dir():
         sys.exit(f"{campaign} is not a folder; give the campaign folder, the one that holds cases/")
@@ -217,7 +236,7 @@ def read_campaign(options):
         if not (directory / "statistics.h5").exists():
             continue
         try:
-            cases.append(Case(directory, results, options.start))
+            cases.append(Case(directory, results, options.start, any_state))
         except (OSError, KeyError, ValueError) as error:
             tell(f"left out {directory}: {error}")
     if not cases:

@@ -16,7 +16,8 @@ def panels_of(case, series):
 
 def main():
     options = arguments(__doc__)
-    cases = read_campaign(options)
+    cases = read_campaign(options, any_state=True)
+    averaged = [case for case in cases if case.has_averages]
     figure, axes = plt.subplots(2, 2, figsize=(11, 6.5), sharex=True, layout="constrained")
     for case in cases:
         whole = SeriesCase(case.directory)  # also what lies before the averaging window
@@ -27,7 +28,7 @@ def main():
         if end is not None:
             for panel in axes[1 if case.elastic else 0]:
                 panel.plot(end, 0.02, "^", color=case.colour, markersize=6, transform=panel.get_xaxis_transform())
-        if case.elastic:
+        if case.elastic and case.has_averages:
             for panel in axes.flat:
                 panel.axvline(case.start[0], color="0.6", linewidth=0.6, zorder=0)
     labels = (r"$Re_\tau$, upper wall", r"$Re_\tau^w$, bottom wall", r"$\delta/h$", r"$\delta'/h$")
@@ -39,7 +40,8 @@ def main():
         panel.set_xlabel(r"$t\,U_b/h$")
         panel.set_ylim(bottom=0)
     axes[0, 1].legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.01, 1))
-    save(figure, options, __file__, caption(cases) + "\nGrey: where the averages of the elastic walls begin. Each point is the mean of a block.\n"
+    save(figure, options, __file__, (caption(averaged) if averaged else "No averages yet.") +
+         "\nGrey: where the averages of the elastic walls begin. Each point is the mean of a block.\n"
          "Triangles at the bottom: where the transient of a case seems to end.")
 
 

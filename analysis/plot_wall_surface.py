@@ -57,7 +57,8 @@ def surface_of(moment):
 
 def main():
     options = arguments(__doc__)
-    moments = [(case, newest(case)) for case in read_campaign(options) if case.elastic]
+    cases = [case for case in read_campaign(options, any_state=True) if case.results.get("state") != "diverged"]
+    moments = [(case, newest(case)) for case in cases if case.elastic]
     moments = [(case, moment) for case, moment in moments if moment is not None]
     if not moments:
         raise SystemExit("no elastic wall has a snapshot or a checkpoint")

@@ -19,6 +19,7 @@ import time
 import packages
 
 packages.needed("h5py", "matplotlib", "numpy")
+import batches  # noqa: E402
 import figures  # noqa: E402
 from campaign_data import read_campaign  # noqa: E402
 from transient import end_of_transient  # noqa: E402
@@ -52,6 +53,7 @@ def measured(row, name, digits):
     value, half_width = row[name], row.get(name + "_ci95")
     if value is None:
         return ""
+    digits = batches.decimals(value, half_width, digits)
     return cell(value, digits) + ("" if half_width is None else f" <small>±\N{NO-BREAK SPACE}{half_width:.{digits}f}</small>")
 
 
