@@ -30,6 +30,11 @@ def plot_elastic(axes, case):
                       alpha=0.4 if unknown else 1.0, label=case.name if quantity == "re_tau" else None)
 
 
+def of_both_walls(case):
+    """Re_tau of a rigid channel from the drag of both of its walls, which are alike."""
+    return math.hypot(case.result("re_tau"), case.result("re_tau_w")) / math.sqrt(2)
+
+
 def plot_campaign(axes, cases):
     rigid = 0
     for case in cases:
@@ -38,7 +43,7 @@ def plot_campaign(axes, cases):
         if case.elastic:
             plot_elastic(axes, case)
         else:
-            value, line = case.result("re_tau"), RIGID_LINES[rigid % len(RIGID_LINES)]
+            value, line = of_both_walls(case), RIGID_LINES[rigid % len(RIGID_LINES)]
             rigid += 1
             on = f" on {case.grid}" if case.varied else ""
             axes.axhline(value, color="black", linewidth=0.7, linestyle=line, label=f"rigid channel{on}, {value:.1f}")

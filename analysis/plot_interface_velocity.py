@@ -50,8 +50,8 @@ def plot_shift(panel, cases):
     largest = 1.0
     for case in cases:
         shift, change = case.result("delta_u_plus"), abs(case.result("k_plus_dk") - K_RIGID)
-        width = case.result("k_plus_dk_ci95")  # NaN where no interval could be given
-        if math.isnan(shift) or not change > (0.0 if math.isnan(width) else width):
+        width = case.result("k_plus_dk_ci95")  # NaN where no interval could be given: nobody knows whether it differs
+        if math.isnan(shift) or math.isnan(width) or change <= width:
             continue
         scaled = at_interface(case, "v") / case.u_tau / change
         largest = max(largest, scaled, shift)
