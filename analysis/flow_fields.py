@@ -71,9 +71,9 @@ class FlowField:
         return (1 - share) * at(row) + share * at(row + 1)
 
     def interface_height(self):
-        """eta[z][x], h. From phi as the solver counts it: the lower end of all solid that hangs from the upper wall.
-        From a checkpoint with a reference map: where the material is that lay at the interface."""
-        return self._height_by_volume() if "phi" in self._names else self._height_of_material()
+        """eta[z][x], h, as the solver counts it. With a reference map: where the material is that lay at the interface. Else from
+        phi: the lower end of all solid that hangs from the upper wall."""
+        return self._height_of_material() if "d_y" in self._names else self._height_by_volume()
 
     def _height_by_volume(self):
         phi = self._read("phi")[:, ::-1]
@@ -83,14 +83,14 @@ class FlowField:
         return self.case.y["face"][-1] - np.einsum("kji,j->ki", phi * counts, thickness)
 
     def _height_of_material(self):
-        faces = self.case.y["face"]
-        origin = (faces[:, None] - self._read("d_y"))  # where the material at each face lay at rest
+        y = self.case.y["face" if self.is_checkpoint else "center"]
+        origin = (y[:, None] - self._read("d_y"))  # where the material there lay at rest
         below = origin < self.case.interface_y
-        row = len(faces) - 1 - np.argmax(below[:, ::-1], axis=1)  # the highest face below the surface
-        row = np.clip(row, 0, len(faces) - 2)
+        row = len(y) - 1 - np.argmax(below[:, ::-1], axis=1)  # the highest place below the surface
+        row = np.clip(row, 0, len(y) - 2)
         low, high = (np.take_along_axis(origin, rows[:, None, :], axis=1)[:, 0, :] for rows in (row, row + 1))
         share = np.clip((self.case.interface_y - low) / (high - low), 0, 1)
-        return faces[row] + share * (faces[row + 1] - faces[row])
+        return y[row] + share * (y[row + 1] - y[row])
 
 
 def autocorrelation(values, axis):

@@ -37,7 +37,9 @@ class FlowFields(unittest.TestCase):
             (self.case.directory / folder).mkdir()
 
     def snapshot(self, step=1, time=1.0, elastic=True):
-        moments.write_snapshot(self.case.directory / f"fields/fields-{step:09d}.h5", self.case.y["face"], time, elastic)
+        file = self.case.directory / f"fields/fields-{step:09d}.h5"
+        moments.write_snapshot(file, self.case.y["face"], time, elastic)
+        return file
 
     def checkpoint(self, step=2, time=2.0, solid="d_y"):
         file = self.case.directory / f"checkpoints/checkpoint-{step:09d}.h5"
@@ -73,6 +75,14 @@ class FlowFields(unittest.TestCase):
             self.assertEqual(field.time, 2.0)
             for found in (by_snapshot, field.interface_height()):
                 self.assertLess(abs(found - moments.eta()).max(), 1e-12)
+
+    def test_the_interface_of_a_map_is_its_material_also_in_a_snapshot(self):
+        """Which has the solid's share of the cells, too, and the displacement at the centres."""
+        file = self.snapshot()
+        with h5py.File(file, "r+") as data:
+            data["d_y"] = np.broadcast_to(moments.eta() - 2, data["phi"].shape)
+            data["phi"][...] = 0
+        self.assertLess(abs(flow_fields.newest(self.case).interface_height() - moments.eta()).max(), 1e-12)
 
     def test_a_checkpoint_holds_the_velocities_of_a_snapshot(self):
         """To the second order of the mean of two faces."""
