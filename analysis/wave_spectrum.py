@@ -3,15 +3,20 @@
 import numpy as np
 
 LEAST_MOMENTS = 16  # of a segment
+LONGEST_GAP = 4  # between two moments of one, in usual ones
 
 
 def segments(time, start, length, share=0.5):
-    """Parts of the moments from `start` on, of so much time each, every one beginning by a share of it later."""
-    found, begin = [], start
+    """Parts of the moments from `start` on, of so much time each, every one beginning by a share of it later. Parts in which
+    sampling has paused tell nothing of fast waves and are left out."""
+    longest_gap, found, begin = LONGEST_GAP * np.median(np.diff(time)), [], start
     while begin + length <= time[-1] * (1 + 1e-9):
-        found.append(np.flatnonzero((time >= begin) & (time <= begin + length)))
+        part = np.flatnonzero((time >= begin) & (time <= begin + length))
+        gaps = np.diff(np.concatenate([[begin], time[part], [begin + length]]))
+        if len(part) >= LEAST_MOMENTS and gaps.max() <= longest_gap:
+            found.append(part)
         begin += share * length
-    return [part for part in found if len(part) >= LEAST_MOMENTS]
+    return found
 
 
 def _trapezoidal(time):

@@ -239,6 +239,11 @@ class SpaceTimeSpectra(unittest.TestCase):
         integral = E.sum(axis=0) * (frequencies[1] - frequencies[0])
         self.assertLess(abs(integral / (0.3**2, 0.2**2, 1) - (1, 1, 0)).max(), 0.02)
 
+    def test_segments_in_which_sampling_has_paused_are_left_out(self):
+        time = np.concatenate([np.arange(0, 50, 0.05), np.arange(58, 100, 0.05)])
+        parts = wave_spectrum.segments(time, 10, 20)
+        self.assertEqual([round(float(time[part[0]])) for part in parts], [10, 20, 30, 60, 70])
+
     def test_segments_cover_the_window_and_nothing_before_it(self):
         time = np.arange(0, 100, 0.05)
         parts = wave_spectrum.segments(time, 30, 20)
