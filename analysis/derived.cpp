@@ -89,6 +89,8 @@ Estimate estimate(const BlockStatistics& s, const std::vector<double>& weights,
   const VelocityMaximum top = fluid_maximum(s, u);
   LogLawOptions log_options = options;
   if (!s.elastic && !log_options.fixed_d) log_options.fixed_d = 0.0;  // a rigid wall is its own origin
+  const double mean_crest = s.elastic ? series_or_nan(s, "interface_max", weights) : kNotDefined;
+  log_options.low_plus = std::fmax(log_options.low_plus, mean_crest * f.re_tau);  // the mean flow, not the wall
   Estimate result;
   if (std::isfinite(f.re_tau)) {
     result.log_law = fit_log_law(upper_wall_profile(s, u, f, top.y), log_options);
@@ -101,7 +103,7 @@ Estimate estimate(const BlockStatistics& s, const std::vector<double>& weights,
                    law && s.elastic ? law->d_plus / f.re_tau : kNotDefined,
                    law ? law->k_plus_dk : kNotDefined,
                    law ? law->delta_u_plus : kNotDefined,
-                   s.elastic ? series_or_nan(s, "interface_max", weights) : kNotDefined,
+                   mean_crest,
                    s.elastic ? interface_rms(s, weights) : kNotDefined};
   return result;
 }

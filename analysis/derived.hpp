@@ -14,7 +14,7 @@ namespace softwall::analysis {
 
 /// Stored with every result; raised whenever a change here changes a number, so that results are derived
 /// anew.
-inline constexpr int kAnalysisVersion = 3;
+inline constexpr int kAnalysisVersion = 4;
 
 struct Measured {
   double value = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not defined for this case

@@ -19,7 +19,7 @@ struct WallProfile {
 };
 
 struct LogLawOptions {
-  double low_plus = 37.0;         ///< the equilibrium range starts at this yt+ ...
+  double low_plus = 37.0;         ///< the equilibrium range starts at this yt+, or at the mean crest ...
   double high_fraction = 0.5;     ///< ... and ends at this fraction of the distance to the maximum of U
   std::optional<double> fixed_d;  ///< [wall units] keep the origin here instead of searching (rigid wall: 0)
 };

@@ -141,6 +141,17 @@ TEST(Derived, InterfaceRmsIsTheRootOfTheMeanSquare) {
   EXPECT_DOUBLE_EQ(derive(s).delta_rms.value, std::sqrt(0.001));
 }
 
+TEST(Derived, TheLogLawOfASoftWallBeginsAtItsMeanCrest) {
+  const ElasticModel model;
+  BlockStatistics s = samples::elastic_statistics(model, 2);
+  s.series["interface_max"].assign(2, 0.2);
+  const DerivedQuantities q = derive(s);
+  EXPECT_NEAR(q.log_range_low_plus, 0.2 * model.re_tau, 1e-9);
+  EXPECT_NEAR(q.k_plus_dk.value, model.k_plus_dk, 1e-3);
+  s.series["interface_max"].assign(2, 0.5);  // the range ends at 0.6
+  EXPECT_TRUE(std::isnan(derive(s).k_plus_dk.value));
+}
+
 TEST(Derived, WindowLeavesEarlierBlocksOut) {
   BlockStatistics s = samples::elastic_statistics({}, 20);
   s.series["wall_shear_bottom"][0] = s.series["wall_shear_bottom"][1] = 1.0;  // a transient
