@@ -19,9 +19,12 @@ namespace {
 /// the surface creeps until single columns stand out of it by the thickness of the layer (G = 0.5, t = 30).
 constexpr double kHighestThresholdOfAHeight = 0.75;
 
+/// A full cell has a fraction of 1 but for round-off, and would be taken for one at the surface.
+constexpr double kHighestThreshold = 0.99;
+
 Real threshold_of(const SolidSpec& spec) {
   const bool is_height = spec.interface == InterfaceTransport::kHeight;
-  return Real(is_height ? std::min(spec.threshold, kHighestThresholdOfAHeight) : spec.threshold);
+  return Real(std::min(spec.threshold, is_height ? kHighestThresholdOfAHeight : kHighestThreshold));
 }
 
 /// rate += source, or = source.
