@@ -14,7 +14,9 @@ namespace softwall::statistics {
 /// more than kMost, two neighbours at a time become one, and blocks are twice as long from then on.
 class MergingBlocks {
  public:
-  static constexpr std::size_t kMost = 16;
+  /// After they have become one there are half as many, of which those of the transient are of no use: enough
+  /// are left for intervals (eight).
+  static constexpr std::size_t kMost = 32;
 
   /// `shortest`: the blocks that a run begins with; `values`: numbers of a sample.
   MergingBlocks(BlockSchedule shortest, std::size_t values) : shortest_(shortest), values_(values) {}
