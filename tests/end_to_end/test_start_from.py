@@ -87,10 +87,11 @@ class StartFrom(EndToEndTest):
         self.assertEqual(answer.returncode, 3, answer.stderr)
         self.assertIn("3 cases failed", answer.stderr)
         said = campaign.call("status", "--why").stdout
-        self.assertEqual(said.count("blocked: needs G=2: 2 attempts without progress"), 2, said)
-        self.assertIn("blocked: 2 attempts without progress", said)
+        self.assertIn("start: again from the start, no checkpoint yet, after: the solver failed", said)
+        self.assertIn("waiting: for G=2", said)
+        self.assertIn("softwall resume", said, "which tries again")
         cases = json.loads(campaign.call("status", "--why", "--json").stdout)["cases"]
-        self.assertEqual([case["why"].partition(":")[0] for case in cases], ["kept", "blocked", "blocked", "blocked"])
+        self.assertEqual([case["why"].partition(":")[0] for case in cases], ["kept", "start", "waiting", "waiting"])
         self.run_to_end(campaign, "resume")
         self.run_to_end(undisturbed)
         self.assert_same_outcome(campaign, undisturbed)
