@@ -45,9 +45,10 @@ const char* signal_of(StopLevel level) {
 /// signals only between two commands and while it waits.
 constexpr const char* kRunOne = R"(run() {
   cd "$1" && grep -qxF "# job: $job" job.sh || return 0
-  sh job.sh >>solver.log 2>&1 & solver=$!
-  trap 'kill -USR1 $solver' USR1
+  solver=
+  trap '[ -z "$solver" ] || kill -USR1 $solver' USR1
   trap 'ended=143' TERM
+  sh job.sh >>solver.log 2>&1 & solver=$!
   while kill -0 $solver 2>/dev/null; do
     if read -r signal <job.stop; then rm -f job.stop; kill -"$signal" $solver; fi 2>/dev/null
     sleep 2 & wait $!
@@ -59,10 +60,14 @@ constexpr const char* kRunOne = R"(run() {
 }
 )";
 
-/// Until the last of them has ended, however often a signal ends the waiting.
-constexpr const char* kWaitForAll = R"(trap 'kill -USR1 $cases' USR1
+/// Before any of them is started: a signal ends nothing by itself.
+constexpr const char* kHearSignals = R"(cases=
+trap '[ -z "$cases" ] || kill -USR1 $cases' USR1
 trap : TERM
-for one in $cases; do
+)";
+
+/// Until the last of them has ended, however often a signal ends the waiting.
+constexpr const char* kWaitForAll = R"(for one in $cases; do
   while kill -0 $one 2>/dev/null; do wait $one; done
 done
 )";
@@ -96,7 +101,9 @@ std::string pack_text(const std::vector<LaunchRequest>& cases) {
                      " cases in one job, as softwall has submitted them. Slurm has a copy of its own.\n";
   // Several mpirun on one node would each bind their ranks to its first cores (Open MPI 4, and 5).
   text += "export OMPI_MCA_hwloc_base_binding_policy=none PRTE_MCA_hwloc_default_binding_policy=none\n";
-  text += leave_when_begun_again() + "job=" + script_word(pack_name(cases)) + "\n" + kRunOne + "cases=\n";
+  // Where cases are started by srun, each would take all processors of the job, and the others wait for it.
+  text += "export SLURM_EXACT=1\n";
+  text += leave_when_begun_again() + "job=" + script_word(pack_name(cases)) + "\n" + kRunOne + kHearSignals;
   for (const LaunchRequest& one : cases) {
     text += "run " + script_word(canonical_run_directory(one.run_directory)) + " " +
             std::to_string(one.attempt) + " & cases=\"$cases $!\"\n";

@@ -49,12 +49,15 @@ class Pack : public ::testing::Test {
       execl("/bin/sh", "sh", script.c_str(), nullptr);
       _exit(127);
     }
-    return pid;
+    return job_ = pid;
+  }
+  void TearDown() override {
+    if (job_ > 0) kill(-job_, SIGKILL);  // of a test that has failed, something may be left
   }
   static int wait_for(pid_t pid) {
     int status = 0;
     waitpid(pid, &status, 0);
-    return WEXITSTATUS(status);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
   static void wait_until(const std::function<bool()>& condition) {
     for (int n = 0; n < 2000 && !condition(); ++n) std::this_thread::sleep_for(10ms);
@@ -67,6 +70,7 @@ class Pack : public ::testing::Test {
     return text_of(cases_[i].run_directory / "solver.log");
   }
 
+  pid_t job_ = 0;
   test::TemporaryFolder folder_;
   std::vector<LaunchRequest> cases_;
   std::vector<std::string> bodies_;
@@ -91,7 +95,6 @@ TEST_F(Pack, PassesTheRequestToCheckpointOnToAll) {
   add("b", kUntilAsked);
   const pid_t job = start();
   wait_until([&] { return log_of(0) == "begun\n" && log_of(1) == "begun\n"; });
-  std::this_thread::sleep_for(200ms);
   kill(job, SIGUSR1);
   EXPECT_EQ(wait_for(job), 0);
   for (const std::size_t i : {0, 1}) {
@@ -119,7 +122,6 @@ TEST_F(Pack, OutlivesTheTermThatReachesEveryProcessAndNotesTheEnds) {
   add("b", "trap 'exit 1' TERM; echo begun; while :; do sleep 0.05; done");  // as mpirun does
   const pid_t job = start();
   wait_until([&] { return log_of(0) == "begun\n" && log_of(1) == "begun\n"; });
-  std::this_thread::sleep_for(200ms);
   kill(-job, SIGTERM);
   EXPECT_EQ(wait_for(job), 0);
   EXPECT_EQ(end_of(0), 128 + SIGTERM);
