@@ -4,7 +4,9 @@
 #include <stdlib.h>
 
 #include <chrono>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <thread>
 
@@ -36,6 +38,17 @@ std::vector<pid_t> wait_for_work(const std::filesystem::path& directory) {
     found = ProcessesAtWork::look().in(directory);
   }
   return found;
+}
+
+/// Until a process names a run directory, as it does from its exec on.
+bool wait_for_mark(pid_t pid) {
+  for (int i = 0; i < 500; ++i) {
+    std::ifstream in("/proc/" + std::to_string(pid) + "/environ");
+    const std::string environment{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    if (environment.find(kRunDirectoryVariable) != std::string::npos) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
 }
 
 class WorkMarksTest : public ::testing::Test {
@@ -72,7 +85,7 @@ TEST_F(WorkMarksTest, APersonsProcessWithTheSameVariablesIsNotTaken) {
   ASSERT_EQ(wait_for_work(directory_), std::vector<pid_t>{ours.pid()});
   const test::ChildProcess copied(worker(directory_, ours.pid()));
   const test::ChildProcess only_the_directory(worker(directory_, 1));
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  for (const pid_t pid : {copied.pid(), only_the_directory.pid()}) ASSERT_TRUE(wait_for_mark(pid));
   EXPECT_EQ(ProcessesAtWork::look().in(directory_), std::vector<pid_t>{ours.pid()});
 }
 
