@@ -67,18 +67,23 @@ class SideBySide {
 
 }  // namespace
 
+MeasuredSpeed::Kind MeasuredSpeed::kind_of(const Physics& physics) {
+  const auto formulation = physics.solid ? std::optional(physics.solid->formulation) : std::nullopt;
+  return {physics.flow, physics.precision, formulation};
+}
+
 MeasuredSpeed::MeasuredSpeed(const Campaign& campaign, const std::vector<Observation>& observations) {
   for (std::size_t i = 0; i < campaign.cases.size(); ++i) {
     const CampaignCase& one = campaign.cases[i];
     if (observations[i].seconds_per_step <= 0) continue;
-    Sum& sum = sums_[{one.definition.physics.flow, one.definition.physics.precision}];
+    Sum& sum = sums_[kind_of(one.definition.physics)];
     sum.ns += observations[i].seconds_per_step * measured_ranks(one, observations[i]) * 1e9 / cells_of(one);
     ++sum.cases;
   }
 }
 
 double MeasuredSpeed::ns_per_cell_step(const Physics& physics) const {
-  const auto found = sums_.find({physics.flow, physics.precision});
+  const auto found = sums_.find(kind_of(physics));
   return found == sums_.end() ? default_ns_per_cell_step(physics) : found->second.ns / found->second.cases;
 }
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "campaign/core/campaign.hpp"
@@ -26,8 +26,8 @@ class MeasuredSpeed {
  public:
   MeasuredSpeed(const Campaign& campaign, const std::vector<Observation>& observations);
 
-  /// Core-nanoseconds per cell and step, the mean over cases of the same flow and precision; the default of
-  /// estimate.hpp when nothing was measured of them.
+  /// Core-nanoseconds per cell and step, the mean over cases of the same flow, precision and formulation; the
+  /// default of estimate.hpp when nothing was measured of them.
   [[nodiscard]] double ns_per_cell_step(const Physics& physics) const;
 
  private:
@@ -35,7 +35,10 @@ class MeasuredSpeed {
     double ns = 0;
     int cases = 0;
   };
-  std::map<std::pair<FlowType, Precision>, Sum> sums_;
+  using Kind = std::tuple<FlowType, Precision, std::optional<SolidFormulation>>;
+  static Kind kind_of(const Physics& physics);
+
+  std::map<Kind, Sum> sums_;
 };
 
 }  // namespace softwall::campaign

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "campaign/core/estimate.hpp"
 #include "tests/campaign/core/examples.hpp"
 
@@ -48,6 +50,27 @@ TEST_F(Eta, OfANewCampaignIsThePrecursorAndThenTheRestSideBySide) {
   for (std::size_t i = 1; i < 5; ++i) elastic += seconds_of(i);
   EXPECT_NEAR(left(1), seconds_of(0) + elastic, 1e-6 * elastic);
   EXPECT_NEAR(left(2), seconds_of(0) + elastic / 2, 1e-6 * elastic);
+}
+
+TEST_F(Eta, TheSpeedOfOneFormulationTellsNothingOfTheOther) {
+  auto document = tests::elastic_campaign();
+  document["sweep"] = {{"grid", {{"formulation", {"reference_map", "transported_B"}}}}};
+  document["physics"]["solid"]["G"] = 1;
+  campaign_ = tests::campaign_of(document);
+  std::vector<Observation> seen(campaign_.cases.size());
+  const auto is_map = [](const CampaignCase& one) {
+    const auto& solid = one.definition.physics.solid;
+    return solid && solid->formulation == SolidFormulation::kReferenceMap;
+  };
+  const auto map = std::ranges::find_if(campaign_.cases, is_map);
+  seen[static_cast<std::size_t>(map - campaign_.cases.begin())].seconds_per_step = 1e3;
+  const MeasuredSpeed speed(campaign_, seen);
+  for (const CampaignCase& one : campaign_.cases) {
+    const double usual = default_ns_per_cell_step(one.definition.physics);
+    const double now = speed.ns_per_cell_step(one.definition.physics);
+    EXPECT_EQ(now > 100 * usual, is_map(one)) << one.definition.label << ": " << now;
+    EXPECT_EQ(now == usual, !is_map(one)) << one.definition.label << ": " << now;
+  }
 }
 
 TEST_F(Eta, IsNeverLessThanTheLongestCase) {
