@@ -20,9 +20,10 @@ SELECT c.case_id, c.flow, c.label, c.state, c.stale_reason, q.note, c.grid, c.G,
   json_extract(c.physics, '$.grid.nx'),
   json_extract(c.physics, '$.grid.ny_fluid') + json_extract(c.physics, '$.grid.ny_solid'),
   json_extract(c.physics, '$.grid.nz'),
-  json_remove(c.physics, '$.grid', '$.initial.precursor', '$.initial.precursor_time'),
+  json_remove(c.physics, '$.grid', '$.statistics', '$.initial.precursor', '$.initial.precursor_time'),
   (SELECT group_concat(key || '=' || value, ' ') FROM json_each(c.varied)
-    WHERE key NOT IN ('nx', 'ny_fluid', 'ny_solid', 'nz', 'stretching') AND key NOT LIKE 'grid.%')
+    WHERE key NOT IN ('nx', 'ny_fluid', 'ny_solid', 'nz', 'stretching', 'interval_steps', 'block_length')
+      AND key NOT LIKE 'grid.%' AND key NOT LIKE 'statistics.%')
 FROM cases c LEFT JOIN quantities q ON q.case_id = c.case_id AND q.quantity = 'batches'
 WHERE c.in_campaign = 1
 ORDER BY c.G IS NOT NULL, c.viscosity_ratio = 1 DESC, c.viscosity_ratio, c.G DESC, c.case_id

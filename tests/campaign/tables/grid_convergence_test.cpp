@@ -127,6 +127,17 @@ TEST_F(TwoGridsTest, ThePageShowsTheChangeFromGridToGrid) {
                                     " +extrapolated +209.0 \\+- 7.2 +-\n"));
 }
 
+TEST_F(TwoGridsTest, HowAFlowIsSampledIsNoPartOfItsPhysics) {
+  nlohmann::json document = elastic_campaign();
+  document["sweep"] = nlohmann::json::parse(R"({"list": [
+    {"G": 1, "nx": 48, "ny_fluid": 32, "ny_solid": 8, "nz": 48, "interval_steps": 7},
+    {"G": 1, "nx": 72, "ny_fluid": 48, "ny_solid": 12, "nz": 72, "interval_steps": 5}]})");
+  campaign = campaign_of(document);
+  store.record_campaign(campaign);
+  for (const CampaignCase& each : campaign.cases) measure(each.definition.label, 200);
+  EXPECT_THAT(page(), ContainsRegex("WHAT THE GRID CHANGES(.|\n)*\nelastic wall +48x32\\+8x48 "));
+}
+
 TEST_F(TwoGridsTest, AReadingIsJudgedByTheFinestGrid) {
   measure(coarse, 300);
   measure(fine, 203.3);  // printed for this G as the text reads
