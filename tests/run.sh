@@ -55,6 +55,7 @@ step "Packages"
 bash runs/install-packages.sh tests
 
 step "Layout: clang-format"
+git ls-files >/dev/null || { echo "the tests need a clone that git lets you read; its words are above" >&2; exit 1; }
 if ! git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format --dry-run -Werror; then
   echo "not as .clang-format says; clang-format -i mends it" >&2
   exit 1
@@ -86,7 +87,7 @@ step "The rest of the build with sanitizers"
 finish_building
 step "Tests with sanitizers"
 # Open MPI keeps memory until the process ends; only our own leaks are of interest.
-export LSAN_OPTIONS="suppressions=$PWD/tests/sanitizer/leaks.txt:print_suppressions=0"
+export LSAN_OPTIONS="suppressions='$PWD/tests/sanitizer/leaks.txt':print_suppressions=0"
 export UBSAN_OPTIONS=print_stacktrace=1
 # Without what takes minutes when instrumented (long, ranks) and what reads the same text as above (contracts).
 run_tests sanitize --label-exclude '^(long|ranks|contracts)$'

@@ -67,9 +67,9 @@ TEST(SecondSolver, IsRefusedAndTheFirstGoesOn) {
   SolverRun run(rigid_case(1000000));
   const pid_t mpirun = run.start(1);
   ASSERT_TRUE(run.wait_for_step(0));
-  const int status = std::system((std::string(SOFTWALL_MPIEXEC) + " -n 1 --oversubscribe " + SOFTWALL_DNS +
-                                  " " + run.files().directory.string() + " >" +
-                                  (run.files().directory / "second.log").string() + " 2>&1")
+  const int status = std::system((std::string(SOFTWALL_MPIEXEC) + " -n 1 --oversubscribe '" + SOFTWALL_DNS +
+                                  "' '" + run.files().directory.string() + "' >'" +
+                                  (run.files().directory / "second.log").string() + "' 2>&1")
                                      .c_str());
   EXPECT_EQ(WEXITSTATUS(status), 1);
   EXPECT_NE(contents(run.files().directory / "second.log").find("another solver is running"),
@@ -245,8 +245,8 @@ TEST(ReadOnlyFolder, IsNamed) {
   run.write_case(rigid_case(10));
   ASSERT_TRUE(disk.change(MS_RDONLY, "size=10m"));
   const std::string log = fs::temp_directory_path() / ("softwall-read-only-" + std::to_string(::getpid()));
-  const int status = std::system((std::string(SOFTWALL_MPIEXEC) + " -n 2 --oversubscribe " + SOFTWALL_DNS +
-                                  " " + run.files().directory.string() + " >" + log + " 2>&1")
+  const int status = std::system((std::string(SOFTWALL_MPIEXEC) + " -n 2 --oversubscribe '" + SOFTWALL_DNS +
+                                  "' '" + run.files().directory.string() + "' >'" + log + "' 2>&1")
                                      .c_str());
   EXPECT_EQ(WEXITSTATUS(status), 75);
   EXPECT_NE(contents(log).find("solver.lock"), std::string::npos) << contents(log);

@@ -101,8 +101,8 @@ TEST(Precision, NeedsTheProgramBesideTheOther) {
 TEST(Precision, OfACaseIsFoundFromEitherProgram) {
   const SolverRun twice(in("double", rigid_case(5)));
   const std::string log = (twice.files().directory / "log").string();
-  const std::string command = std::string(SOFTWALL_MPIEXEC) + " -n 2 --oversubscribe " + SOFTWALL_DNS +
-                              "-single " + twice.files().directory.string() + " >" + log + " 2>&1";
+  const std::string command = std::string(SOFTWALL_MPIEXEC) + " -n 2 --oversubscribe '" + SOFTWALL_DNS +
+                              "-single' '" + twice.files().directory.string() + "' >'" + log + "' 2>&1";
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << contents(log);
   EXPECT_EQ(read_checkpoint_header(twice.newest_checkpoint()).precision, "double");
 }

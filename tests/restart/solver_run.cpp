@@ -98,9 +98,9 @@ void SolverRun::write_case(const json& definition) const {
 
 std::string SolverRun::command(int ranks, const std::string& options, const std::string& prelude) const {
   const std::string rank =
-      prelude + "; exec " + SOFTWALL_DNS + " " + files_.directory.string() + " " + options;
+      prelude + "; exec '" + SOFTWALL_DNS + "' '" + files_.directory.string() + "' " + options;
   return std::string(SOFTWALL_MPIEXEC) + " -n " + std::to_string(ranks) + " --oversubscribe sh -c \"" + rank +
-         "\" >" + files_.log().string() + " 2>&1";
+         "\" >'" + files_.log().string() + "' 2>&1";
 }
 
 Ended SolverRun::run(int ranks, const std::string& options, const std::string& prelude) const {
