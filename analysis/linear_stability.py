@@ -88,7 +88,11 @@ def fastest(flow, layer, wavelengths, points=POINTS):
     return max(found, key=lambda pair: pair[0].real)
 
 
-def onset(flow, layer, wavelengths, high=2.0, low=0.05, tolerance=0.01, points=(100, 44)):
+LOWEST_ONSET, HIGHEST_ONSET = 0.05, 2.0
+POINTS_OF_ONSET = 100, 44  # rates change by less than the tolerance with more
+
+
+def onset(flow, layer, wavelengths, high=HIGHEST_ONSET, low=LOWEST_ONSET, tolerance=0.01, points=POINTS_OF_ONSET):
     """The modulus below which some of these waves grow, to the relative tolerance, with the length of the one that does;
     None where it does not lie between low and high. layer.G is not read."""
     def growth(G, waves):
@@ -136,7 +140,8 @@ def _options():
     parser.add_argument("--thickness", type=float, default=0.5, help="of the layer, h")
     parser.add_argument("--wavelength", type=float, nargs="+", default=[0.75, 1, 1.5, 2, 3, 6], help="h")
     parser.add_argument("--modes", type=int, default=3, help="how many rates to print of each wave")
-    parser.add_argument("--points", type=int, nargs=2, default=POINTS, help="in the fluid, in the layer")
+    parser.add_argument("--points", type=int, nargs=2, help=f"in the fluid, in the layer; default: {POINTS}, of an "
+                        f"onset {POINTS_OF_ONSET}")
     parser.add_argument("--onset", action="store_true", help="find the modulus below which a wave grows")
     return parser.parse_args()
 
@@ -146,13 +151,13 @@ def main():
     flow, layer = _flow(options), Layer(options.G, options.ratio, options.thickness)
     print(f"mean flow: {flow.name}, Re {flow.reynolds:g}, Re_tau {flow.re_tau:.1f}")
     if options.onset:
-        found = onset(flow, layer, options.wavelength)
-        print("no wave changes from growth to decay" if found is None else
+        found = onset(flow, layer, options.wavelength, points=options.points or POINTS_OF_ONSET)
+        print(f"no onset between G = {LOWEST_ONSET:g} and {HIGHEST_ONSET:g}" if found is None else
               f"waves grow below G = {found[0]:.3f}, at first that of length {found[1]:g}")
         return
     print("wave length         growth    frequency   speed of the crests")
     for wavelength in options.wavelength:
-        for s in rates(flow, layer, wavelength, options.modes, options.points):
+        for s in rates(flow, layer, wavelength, options.modes, options.points or POINTS):
             print(f"{wavelength:11g} {s.real:14.6f} {s.imag:12.6f} {-s.imag * wavelength / (2 * math.pi):10.4f}")
 
 

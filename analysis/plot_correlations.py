@@ -32,7 +32,7 @@ def main():
     if not found:
         raise SystemExit("no case has spectra, a snapshot or a checkpoint")
     figure, rows = plt.subplots(3, len(found), figsize=(2.6 * len(found) + 1.5, 7.5), layout="constrained", squeeze=False,
-                                sharex=True, sharey="col")
+                                sharex="col", sharey="col")
     for column, source in zip(rows.T, found):
         for panel, name in zip(column, "uvw"):
             shades = draw(panel, source, name, options.axis)
