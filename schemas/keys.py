@@ -13,7 +13,7 @@ no longer agrees with them. Lengths are in h (half the height of the rigid chann
 density is 1; the unit "-" is none. A key without a default has to be given, or is absent where its meaning says so.
 
 Keys of `physics` are the parameters of every case, and each of them may be swept by its last name (`"G"`) or its full one
-(`"solid.G"`). `"$schema": "/usr/local/share/softwall/campaign.schema.json"` (wherever the schemas were installed, or their
+(`"solid.G"`). `"$schema": "/usr/local/share/softwall/schemas/campaign.schema.json"` (wherever the schemas were installed, or their
 place in a copy of the sources) lets an editor complete and check the file.
 """
 

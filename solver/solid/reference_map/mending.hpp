@@ -12,9 +12,9 @@
 /// Mends a map that the grid has torn. Under a surface that the grid cannot resolve (waves about to break),
 /// neighbouring points lose each other: det A departs from 1 by much, or the stretch exceeds anything that
 /// the layer could do. No stress brings such points together again, and left alone they end the run. So a
-/// point beside such a cell moves towards the mean of its six neighbours, where the damage is full within
-/// the time in which signals cross a cell (MendingRate). Cells whose damage is twice as large are torn.
-/// They are counted (`limited_cells`), and the count tells how far to trust a run.
+/// point beside such a cell moves towards the mean of its six neighbours, where the damage is full at
+/// six times the rate at which signals cross a cell (MendingRate). Cells whose damage is twice as large are
+/// torn. They are counted (`limited_cells`), and the count tells how far to trust a run.
 ///
 /// Damage begins early: on 96 x (96 + 24) x 96 cells, G = 0.25, errors of det A that were left alone until
 /// they exceeded 0.35 grew within 4 h/U_b, 0.2 at t = 16 and 1 at t = 21, and the step fell to a tenth. Where

@@ -11,7 +11,7 @@
 /// which to first order in d is d(det A)/dt = sum_i d/dx_i [ K_i d/dx_i (det A) ]. K_i is U_b times the
 /// spacing, the rate at which transport makes them, or what is stable if that is less. Where volume is kept,
 /// nothing happens. In a solid with slopes beyond 2 sqrt(K_y / K_x) it is no longer dissipative in all
-/// directions; what was tried instead: solver/solid/README.md.
+/// directions.
 ///
 /// det A - 1 counts in full cells; outside them it is zero. Weighted with phi in partly filled cells instead
 /// it drove waves of the surface: what stands there is extrapolated, and its errors go with phi.
