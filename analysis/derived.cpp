@@ -90,7 +90,8 @@ Estimate estimate(const BlockStatistics& s, const std::vector<double>& weights,
   LogLawOptions log_options = options;
   if (!s.elastic && !log_options.fixed_d) log_options.fixed_d = 0.0;  // a rigid wall is its own origin
   const double mean_crest = s.elastic ? series_or_nan(s, "interface_max", weights) : kNotDefined;
-  log_options.low_plus = std::fmax(log_options.low_plus, mean_crest * f.re_tau);  // the mean flow, not the wall
+  log_options.low_plus =
+      std::fmax(log_options.low_plus, mean_crest * f.re_tau);  // the mean flow, not the wall
   Estimate result;
   if (std::isfinite(f.re_tau)) {
     result.log_law = fit_log_law(upper_wall_profile(s, u, f, top.y), log_options);
