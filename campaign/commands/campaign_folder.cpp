@@ -66,12 +66,12 @@ void look_at_starting_points(const Campaign& campaign, std::vector<Observation>&
   const auto needed = starting_points(campaign, observations);
   for (Observation& seen : observations) {
     const auto start = needed.find(seen.case_id);
-    if (start == needed.end() || seen.state != CaseState::kFinished) continue;
-    if (seen.needs_person != kNoCheckpointLeft) continue;
-    if (!start->second) seen.needs_person.clear();
-    if (!start->second || !start_over) continue;
-    seen.state = CaseState::kInterrupted;  // and no longer one that has finished
-    seen = without_lost_checkpoints(seen);
+    const bool has_lost_them = seen.state == CaseState::kFinished && seen.needs_person == kNoCheckpointLeft;
+    if (start == needed.end() || !has_lost_them) continue;
+    if (!start->second)
+      seen.needs_person.clear();
+    else if (start_over)
+      seen = from_the_beginning(seen);
   }
 }
 

@@ -45,8 +45,8 @@ void tell_left_out(Connection& store) {
 }
 
 /// Nobody brings the store up to date any more, and it does not tell by itself.
-void tell_if_left_at_work(const WantedResults& wanted, Connection& store) {
-  const std::filesystem::path folder = folder_with_store(wanted.path);
+void tell_if_left_at_work(const WantedResults& wanted, const std::filesystem::path& folder,
+                          Connection& store) {
   const std::int64_t cases =
       store.integer("SELECT count(*) FROM cases WHERE state = 'running' AND in_campaign = 1");
   if (cases == 0 || living_owner(folder) || owner_is_unknown(folder)) return;
@@ -55,20 +55,20 @@ void tell_if_left_at_work(const WantedResults& wanted, Connection& store) {
             << (cases == 1 ? "it" : "them") << ":  " << softwall_command("status", wanted.path) << "\n";
 }
 
-void tell_how_current(const WantedResults& wanted, Connection& store) {
+void tell_how_current(const WantedResults& wanted, const std::filesystem::path& folder, Connection& store) {
   tell_if_not_as_last_run(wanted.path, store);
-  tell_if_left_at_work(wanted, store);
+  tell_if_left_at_work(wanted, folder, store);
 }
 
 Store results_of(const WantedResults& wanted) {
   const std::filesystem::path folder = folder_with_store(wanted.path);
   if (!wanted.from) {
     Store store = Store::open(folder, OpenMode::kReadOnly);
-    tell_how_current(wanted, store.connection());
+    tell_how_current(wanted, folder, store.connection());
     return store;
   }
   WindowedResults results = results_from(folder, *wanted.from);
-  tell_how_current(wanted, results.store.connection());
+  tell_how_current(wanted, folder, results.store.connection());
   for (const std::string& trouble : results.troubles)
     std::cerr << "No result from t = " << *wanted.from << ": " << printable_lines(trouble) << "\n";
   return std::move(results.store);

@@ -1,14 +1,11 @@
 #include "campaign/core/derive.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <cstdio>
 #include <optional>
 #include <set>
 
 #include "campaign/core/effect.hpp"
+#include "campaign/core/round_off.hpp"
 #include "solver/case/case_id.hpp"
 #include "solver/case/case_schema.hpp"
 #include "solver/case/json_text.hpp"
@@ -19,16 +16,6 @@ namespace {
 using nlohmann::json;
 
 std::string place_of(const std::string& name) { return "/derive/" + printable_excerpt(name); }
-
-/// Without the last digits, where round-off is: 3 * 0.1 is 0.3, the same case as one written by hand.
-double rounded(double value) {
-  constexpr double kExactIntegers = 9007199254740992.0;
-  if (value == std::floor(value) && std::abs(value) < kExactIntegers) return value;
-  std::array<char, 40> text{};
-  const int length = std::snprintf(text.data(), text.size(), "%.15g", value);
-  std::from_chars(text.data(), text.data() + length, value);
-  return value;
-}
 
 /// The names that each derived parameter needs, all by pointer; only of expressions that can be read.
 using Needs = std::map<std::string, std::set<std::string>>;
@@ -161,7 +148,7 @@ std::vector<Mistake> Derivation::add_to(Point& point, json physics) const {
   Point derived;
   for (const Rule& rule : rules_) {
     try {
-      const json value = normalised_number(rounded(rule.expression.value(value_of)));
+      const json value = normalised_number(without_round_off(rule.expression.value(value_of)));
       for (const Mistake& mistake : rule.allowed.mistakes(value))
         return {{place_of(rule.name), quoted(value) + " from " + quoted(json(rule.text)), mistake.allowed}};
       physics[rule.parameter->pointer] = value;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "campaign/core/round_off.hpp"
 #include "solver/case/json_schema.hpp"
 #include "solver/case/json_text.hpp"
 
@@ -81,24 +82,11 @@ bool are_met(const std::vector<IntervalTarget>& targets,
   });
 }
 
-namespace {
-
-/// As it was written: 0.9 % is stored as a share that is not quite a hundredth of it.
-double in_percent(double share) {
-  constexpr int kDigits = 15;  // which every number keeps
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.begin(), text.end(), share * 100, std::chars_format::general, kDigits);
-  double percent = 0;
-  std::from_chars(text.data(), end.ptr, percent);
-  return percent;
-}
-
-}  // namespace
-
 std::string describe(const std::vector<IntervalTarget>& targets) {
   std::string text;
   for (const IntervalTarget& target : targets) {
-    const json number = normalised_number(target.relative ? in_percent(target.most) : target.most);
+    const json number =
+        normalised_number(target.relative ? without_round_off(target.most * 100) : target.most);
     text += (text.empty() ? "" : ", ") + target.quantity + " within " + quoted(number) +
             (target.relative ? " %" : "");
   }

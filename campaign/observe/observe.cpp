@@ -166,8 +166,6 @@ Observation observe_files(const CampaignCase& campaign_case, const RunFiles& run
   return observation;
 }
 
-namespace {
-
 Observation from_the_beginning(Observation observation) {
   observation.needs_person.clear();
   observation.state = CaseState::kNew;
@@ -175,8 +173,6 @@ Observation from_the_beginning(Observation observation) {
   observation.time = 0;
   return observation;
 }
-
-}  // namespace
 
 bool has_yet_to_start(const Observation& seen) {
   const bool is_over = seen.state == CaseState::kFinished || seen.state == CaseState::kDiverged;

@@ -40,6 +40,8 @@ namespace softwall::campaign {
 /// It has yet to take its start from the checkpoint of another case, where it takes one.
 [[nodiscard]] bool has_yet_to_start(const Observation& seen);
 
+/// The observation of a case of which nothing that is there counts any more.
+[[nodiscard]] Observation from_the_beginning(Observation observation);
 /// The observation of a case that a person lets start over: lost checkpoints no longer stand in its way. One
 /// that has finished needs none.
 [[nodiscard]] Observation without_lost_checkpoints(Observation observation);

@@ -49,6 +49,13 @@ class RunnerTest : public ::testing::Test {
     return kDone;
   }
 
+  /// What one leaves that diverges before its first checkpoint.
+  static int diverge(const LaunchRequest& request) {
+    test::write_summary(RunFiles{request.run_directory}, request.case_id, request.attempt, "diverged", 5,
+                        0.1);
+    return static_cast<int>(ExitCode::kDiverged);
+  }
+
   /// What a solver leaves at a checkpoint and goes on.
   static void write_so_far(const LaunchRequest& request, std::int64_t step, double time,
                            analysis::BlockStatistics statistics) {

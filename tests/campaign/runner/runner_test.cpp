@@ -161,10 +161,7 @@ TEST_F(RunnerTest, AttemptsThatGetFurtherAreNotCountedAsFailures) {
 
 TEST_F(RunnerTest, ADivergedCaseIsNeverRunAgain) {
   FakeLauncher launcher([&](const LaunchRequest& request) {
-    if (request.case_id != id(1)) return finish(request);
-    test::write_summary(RunFiles{request.run_directory}, request.case_id, request.attempt, "diverged", 5,
-                        0.1);
-    return static_cast<int>(ExitCode::kDiverged);
+    return request.case_id == id(1) ? diverge(request) : finish(request);
   });
   EXPECT_EQ(run(launcher).failed.size(), 1U);
   FakeLauncher again([&](const LaunchRequest& request) { return finish(request); });
@@ -177,10 +174,7 @@ TEST_F(RunnerTest, ADivergedCaseIsNeverRunAgain) {
 /// only.
 TEST_F(RunnerTest, ADivergedCaseMayStartOverWhenItsCheckpointsAreRemoved) {
   FakeLauncher diverging([&](const LaunchRequest& request) {
-    if (request.case_id != id(1)) return finish(request);
-    test::write_summary(RunFiles{request.run_directory}, request.case_id, request.attempt, "diverged", 5,
-                        0.1);
-    return static_cast<int>(ExitCode::kDiverged);
+    return request.case_id == id(1) ? diverge(request) : finish(request);
   });
   run(diverging);
   std::filesystem::remove_all(run_files(folder_.path(), campaign_.cases[1]).directory);
@@ -189,11 +183,7 @@ TEST_F(RunnerTest, ADivergedCaseMayStartOverWhenItsCheckpointsAreRemoved) {
   EXPECT_TRUE(unasked.started.empty());
   RunnerOptions options;
   options.start_over = true;
-  FakeLauncher still_diverging([&](const LaunchRequest& request) {
-    test::write_summary(RunFiles{request.run_directory}, request.case_id, request.attempt, "diverged", 5,
-                        0.1);
-    return static_cast<int>(ExitCode::kDiverged);
-  });
+  FakeLauncher still_diverging([](const LaunchRequest& request) { return diverge(request); });
   EXPECT_EQ(run(still_diverging, options).failed.size(), 1U);
   EXPECT_EQ(still_diverging.started.size(), 1U);
   FakeLauncher mended([&](const LaunchRequest& request) { return finish(request); });
